@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from chasles.checker.any_size.at_sizes import sizes_in
+from chasles.prover.certifying import proved
 from chasles.prover.decide import BUDGET, NO_POINT, decide_problem
 from chasles.prover.squares import decide_by_squares
 from chasles.statements import Hypothesis, Problem
@@ -73,9 +74,7 @@ def _proved(
     used = (*positive, *question.used, *_said(verdict.needs, question.sources))
     needs = tuple(sorted(dict.fromkeys(used), key=lambda text: order.get(text, len(order))))
     unused = tuple(h.text for h in own if h.text not in needs)
-    if not needs:
-        return Holds(certificate, verdict.witness, unused)
-    return HoldsUnder(needs, certificate, verdict.witness, unused)
+    return proved(needs, certificate, verdict.witness, unused)
 
 
 def _said(texts: tuple[str, ...], sources: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:

@@ -21,6 +21,7 @@ from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.reader import multiplied
 from chasles.from_sympy.sampling import Sampling
 from chasles.points.search import Search
+from chasles.prover.certifying import proved
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import PI, Block, Negative, Node, Power, Quotient, Scale, Sum, Symbol, Zero
@@ -85,10 +86,7 @@ class Question:
             case Holds() | HoldsUnder():
                 needs = tuple(text for text in self._said((*self.needs, *verdict.needs)) if text not in self.hidden)
                 unused = tuple(text for text in self._said(verdict.unused) if text not in (*needs, *self.hidden))
-                witness = self._point(verdict.witness)
-                if needs:
-                    return HoldsUnder(needs, verdict.certificate, witness, unused)
-                return Holds(verdict.certificate, witness, unused)
+                return proved(needs, verdict.certificate, self._point(verdict.witness), unused)
             case Fails(Counterexample() as found):
                 return Fails(replace(found, at=self._point(found.at)))
             case IllFormed(reason):

@@ -30,7 +30,8 @@ from chasles.from_sympy.sampling import Sampling, exactly
 from chasles.from_sympy.side_conditions import listed, nonvanishing
 from chasles.from_sympy.thresholds import thresholds
 from chasles.problems.variables import Untreatable
-from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.prover.certifying import proved
+from chasles.verdict import Counterexample, Fails, Undecided, Verdict
 
 MOST, MOST_PARTS = 100, 2_500
 """So many cases are looked at, and so many parts of expressions in these."""
@@ -134,7 +135,7 @@ class Splitting:
         needs = (*self._texts, *self.needs)
         said = {str(name): str(value) for name, value in witness.items()}
         certificate = {**tree, "witness": said}
-        return HoldsUnder(tuple(needs), certificate, witness) if needs else Holds(certificate, witness)
+        return proved(tuple(needs), certificate, witness)
 
     def _proved(
         self, case: CheckedCase, factors: Sequence[Any] | None = None, named: bool = False

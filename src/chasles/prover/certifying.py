@@ -38,6 +38,13 @@ class ProvedEntry:
     multiplied: bool = False
 
 
+def proved(
+    needs: tuple[str, ...], certificate: Mapping[str, Any], witness: Mapping[str, Any], unused: tuple[str, ...] = ()
+) -> Holds | HoldsUnder:
+    """The verdict on what is proved, from the hypotheses that it needs if it needs any."""
+    return HoldsUnder(needs, certificate, witness, unused) if needs else Holds(certificate, witness, unused)
+
+
 def certified(
     context: Context,
     conditions: tuple[Generator, ...],
@@ -59,10 +66,7 @@ def certified(
         certificate = write(context, done, witness)
     else:
         certificate = _certificate(context, conditions, solved, done, witness)
-    shown = measured(context, witness)
-    if needs:
-        return HoldsUnder(needs, certificate, shown, unused)
-    return Holds(certificate, shown, unused)
+    return proved(needs, certificate, measured(context, witness), unused)
 
 
 def _used_hypotheses(context: Context, solved: tuple[Solved, ...], done: list[ProvedEntry]) -> set[Hypothesis]:

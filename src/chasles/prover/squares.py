@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace as with_fields
 from fractions import Fraction
 
 from chasles.algebra.rings import written
@@ -13,7 +12,7 @@ from chasles.problems.context import Context, build, difference
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.generators import entries
 from chasles.problems.variables import Untreatable
-from chasles.prover.certifying import ProvedEntry, certified
+from chasles.prover.certifying import ProvedEntry, certified, proved
 from chasles.prover.conditions import solve_conditions
 from chasles.prover.sources import DeclaredPoints
 from chasles.statements import Hypothesis, Problem
@@ -47,9 +46,7 @@ def decide_by_squares(problem: Problem, own: tuple[Hypothesis, ...]) -> Holds | 
     used = {name for _, squares in done for name in _signs(context, squares)}
     needs = (*verdict.needs, *(h.text for h in problem.hypotheses if h.text in used and h.text not in verdict.needs))
     unused = tuple(text for text in verdict.unused if text not in used)
-    if needs:
-        return HoldsUnder(needs, certificate, verdict.witness, unused)
-    return with_fields(verdict, certificate=certificate)
+    return proved(needs, certificate, verdict.witness, unused)
 
 
 def _entries(context: Context, number: int, sign: str) -> tuple[list[ProvedEntry], list[Square]] | None:

@@ -18,12 +18,13 @@ from chasles.checker.any_size.proof import PROJECTION, check_words, first_and_ne
 from chasles.checker.any_size.words import SymbolicReading
 from chasles.checker.sparse import Rejected
 from chasles.points.at_sizes import points_at_sizes
+from chasles.prover.certifying import proved
 from chasles.prover.free_words import Completion
 from chasles.prover.rewriting_words import Derived, Multiple, Occurrence, Proof
 from chasles.prover.squares_of_words import SquareOfWords, squares_of_words
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.inequalities import as_differences
-from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Posed, Undecided, Verdict
+from chasles.verdict import Counterexample, Fails, Posed, Undecided, Verdict
 
 POINTS = 60
 """So many points are looked at for one that refutes."""
@@ -60,9 +61,7 @@ def decide_words(problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
     used = {*(needed or proofs.needs()), *(h.text for h in problem.presupposed)}
     needs = tuple(dict.fromkeys(h.text for h in problem.hypotheses if h.text in used and h.kind != "evident"))
     unused = tuple(h.text for h in own if h.text not in needs)
-    if needs:
-        return HoldsUnder(needs, certificate, witness, unused)
-    return Holds(certificate, witness, unused)
+    return proved(needs, certificate, witness, unused)
 
 
 def pose_at_sizes(problem: Problem) -> Verdict:
