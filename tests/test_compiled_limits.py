@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 
 import chasles
+from chasles.compiling.angles import vanishes
 from chasles.compiling.removable import without_removable
-from chasles.compiling.sums_of_angles import vanishes
 from chasles.compiling.taylor import Stumpff
 
 from .counted import at_most

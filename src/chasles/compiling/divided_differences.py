@@ -14,8 +14,8 @@ import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 from sympy.integrals.quadrature import gauss_legendre
 
-from chasles.compiling.sums_of_angles import QUOTIENTS, parts_of_kinds, square_of, vanishes
-from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial, left_of
+from chasles.compiling.angles import QUOTIENTS, parts_of_kinds, square_of, vanishes
+from chasles.compiling.taylor import ANALYTIC, NearZero, Stumpff, TaylorPolynomial, left_of
 from chasles.lowering.refusal import LoweringError
 
 NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo, sympy.I)
@@ -62,7 +62,9 @@ class DividedDifferences:
     def conditions_of(self, found: sympy.Expr) -> list[Any]:
         """Where what was found with them is as good as what is stated."""
         polynomials = sorted(parts_of_kinds(found, (TaylorPolynomial,)), key=sympy.default_sort_key)
-        return [*self.conditions, *(sympy.Abs(part.args[0]) < part.args[1] for part in polynomials)]
+        # The square that is put in for that of a root may be negative.
+        near = (sympy.Abs(part.args[0], evaluate=False) < part.args[1] for part in polynomials)
+        return [*self.conditions, *near]
 
     def of(self, expression: Any) -> Any:
         """The divided difference. Raises `LoweringError` for a function of which none is known."""
@@ -97,6 +99,10 @@ class DividedDifferences:
         if rule is None:
             raise LoweringError(f"no divided difference of {type(expression).__name__} is known")
         u, v, d = self._sides(args[0])
+        if v == 0 and type(expression) in ANALYTIC:
+            kind = type(expression)
+            first = ANALYTIC[kind].first or ANALYTIC[kind].step
+            return self.of(args[0]) * u ** (first - 1) * left_of(kind, first, sympy.S.One, u, square_of(u))
         if isinstance(expression, sympy.log):
             self.conditions[u + v > 0] = None
         if isinstance(expression, sympy.atan):

@@ -15,8 +15,9 @@ from typing import Any
 import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 
+from chasles.compiling.angles import KEPT, KNOWN, angle_of, parts_of_kinds, square_of
 from chasles.compiling.elementary import HeldLargest, PowerTimesLog
-from chasles.compiling.sums_of_angles import KEPT, parts_of_kinds
+from chasles.compiling.near_zero import without_cancellation
 from chasles.compiling.taylor import NearZero, WholeChoice
 from chasles.compiling.variables import HELD
 
@@ -34,8 +35,11 @@ def in_range(expression: Any, far: frozenset[Any] = frozenset()) -> Any:
         return expression
     if isinstance(expression, NearZero):
         (near, where), (stated, _) = expression.args
-        small = (_angle(part.args[0]) for part in parts_of_kinds(where, (sympy.Abs,)))
-        return NearZero((in_range(near, far), where), (in_range(stated, far.union(small)), True), evaluate=False)
+        known = far.union(_angle(part.args[0]) for part in parts_of_kinds(where, (sympy.Abs,)))
+        held = in_range(stated, known)
+        if held is stated and not all(_is_far(angle_of(f), known) for f in parts_of_kinds(stated, KNOWN)):
+            held = without_cancellation(stated)
+        return NearZero((in_range(near, far), where), (held, True), evaluate=False)
     parts = [_inside(part, far) if expression.is_Mul else in_range(part, far) for part in expression.args]
     held = {"evaluate": False} if isinstance(expression, HELD) else {}
     found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts, **held)
@@ -51,6 +55,10 @@ def _inside(factor: Any, far: frozenset[Any]) -> Any:
     if factor.is_Pow and factor.base.is_Add:
         return in_range(factor.base, far) ** factor.exp
     return in_range(factor, far)
+
+
+def _is_far(angle: Any, far: frozenset[Any]) -> bool:
+    return not far.isdisjoint((_angle(angle), _angle(square_of(angle))))
 
 
 def _angle(multiple: Any) -> Any:
@@ -148,7 +156,7 @@ class _Exponentials:
         if not self.are_several:
             return
         self._apart = exponents[1] - exponents[0]
-        self._are_far = _angle(self._apart) in far
+        self._are_far = _is_far(self._apart, far)
         if len(exponents) == 2:
             self._less = sympy.Piecewise((-self._apart, self._apart > 0), (self._apart, True))
             self.small = sympy.exp(self._less)

@@ -11,10 +11,9 @@ from typing import Any
 import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 
-from chasles.compiling.sums_of_angles import KEPT, KNOWN, angle_of, divisors, parts_of_kinds, square_of, with_series
+from chasles.compiling.angles import KEPT, KNOWN, angle_of, divisors, parts_of_kinds, square_of, with_series
 from chasles.compiling.taylor import ANALYTIC, CIRCULAR, NearZero, TaylorPolynomial, coefficient_of, left_of
 from chasles.compiling.variables import HELD, Substitution
-from chasles.compiling.whole_angles import ROOT
 
 _LESSENED = {sympy.exp: expm1, sympy.cosh: lambda a: 2 * sympy.sinh(a / 2) ** 2}
 """Functions less one, which lose nothing where what goes in is small."""
@@ -30,17 +29,23 @@ def near_zero(found: Any, stated: sympy.Expr, angle: sympy.Expr) -> Any:
     """What is found where its polynomials hold, and elsewhere what is stated."""
     if not _polynomials(found):
         return found
-    if angle == ROOT or angle.is_Pow:
-        # A function of the square has a derivative where a root vanishes.
-        table = {}
-        for f in parts_of_kinds(found, tuple(ANALYTIC)):
-            if angle_of(f) == angle and type(f) not in CIRCULAR:
-                first, times = ANALYTIC[type(f)].first, f.args[0].as_coeff_Mul()[0]
-                table[f] = angle**first * left_of(type(f), first, times, angle, square_of(angle))
-        found = Substitution(table).of(found)
-    # The square that is put in for that of an angle may be negative.
-    near = sympy.And(*(sympy.Abs(part.args[0], evaluate=False) < part.args[1] for part in _polynomials(found)))
-    return NearZero((found, near), (stated, True), evaluate=False)
+    found = in_squares(found, angle) if angle.is_Pow else found
+    return NearZero((found, where_near(found)), (stated, True), evaluate=False)
+
+
+def in_squares(found: Any, angle: sympy.Expr) -> Any:
+    """Functions of a root as powers of it times functions of its square, which have a derivative where it vanishes."""
+    table = {}
+    for f in parts_of_kinds(found, tuple(ANALYTIC)):
+        if angle_of(f) == angle and type(f) not in CIRCULAR:
+            first, times = ANALYTIC[type(f)].first, f.args[0].as_coeff_Mul()[0]
+            table[f] = angle**first * left_of(type(f), first, times, angle, square_of(angle))
+    return Substitution(table).of(found)
+
+
+def where_near(found: Any) -> Any:
+    """Where its polynomials hold; the square that is put in for that of an angle may be negative."""
+    return sympy.And(*(sympy.Abs(part.args[0], evaluate=False) < part.args[1] for part in _polynomials(found)))
 
 
 def _polynomials(found: Any) -> frozenset[Any]:

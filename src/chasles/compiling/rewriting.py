@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy
 
+from chasles.compiling.angles import parts_of
 from chasles.compiling.elementary import functions_by_class
-from chasles.compiling.sums_of_angles import parts_of
 from chasles.compiling.variables import Substitution, outermost
 from chasles.lowering.builder import Builder
 

@@ -10,9 +10,8 @@ from typing import Any
 
 import sympy
 
+from chasles.compiling.angles import KEPT, QUOTIENTS, divisors, parts_of_kinds
 from chasles.compiling.divided_differences import NO_VALUES, DividedDifferences
-from chasles.compiling.near_zero import without_cancellation
-from chasles.compiling.sums_of_angles import KEPT, QUOTIENTS, divisors, parts_of_kinds
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.refusal import LoweringError
 
@@ -62,8 +61,9 @@ def _regular(expression: Any) -> Any:
                 limits.append((near, sympy.And(*differences.conditions_of(near)), singular))
     if not limits:
         return None
-    own = [part for part in parts if any(part in singular for _, _, singular in limits)]
-    found = without_cancellation(join(*own))
+    # An exponential beside what is divided by is told with it how far both grow.
+    own = [part for part in parts if isinstance(part, sympy.exp) or any(part in near for _, _, near in limits)]
+    found = join(*own)
     for near, where, singular in limits:
         regular = without_singular_points(join(near, *(part for part in own if part not in singular)))
         # Without a condition it is what is stated, in other words.
@@ -160,7 +160,7 @@ def _is_sum_of_squares(total: sympy.Add) -> bool:
     terms = [term.as_coeff_Mul() for term in total.args]
     factors = (factor for _, product in terms for factor in sympy.Mul.make_args(product))
     same = len({bool(number.is_positive) for number, _ in terms}) == 1
-    return same and all(f is sympy.S.One or (f.is_Pow and f.exp.is_even) for f in factors)
+    return same and all(f is sympy.S.One or (f.is_Pow and f.base.is_Symbol and f.exp.is_even) for f in factors)
 
 
 def _tried(divisor: Any) -> Iterator[tuple[Any, Any]]:
