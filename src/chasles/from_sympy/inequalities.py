@@ -52,7 +52,7 @@ def without_inequalities(said: Said, by_excess: bool = False) -> Said:
     compared = [item for item in stated if isinstance(item, COMPARED) and not by_excess]
     for symbol in sorted({s for item in compared for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
-    while found := next((values for item in said[2] if (values := signed(item))), None):
+    while found := next((values for item in said[2] if (values := signed(item, by_excess))), None):
         put = with_values(said, found)
         said = (*put[:3], [*put[3], *lost_divisors(said[:3], put[:3], found)])
     number = 0
@@ -110,15 +110,16 @@ def _follows(item: Any, other: Any) -> bool:
     return any(same and gap.is_number and (gap.is_positive or (gap.is_zero and more)) for same, gap in gaps)
 
 
-def signed(item: Any) -> dict[Any, Any]:
-    """The symbol or function that is compared with zero, with that sign in its assumptions."""
+def signed(item: Any, above: bool = False) -> dict[Any, Any]:
+    """The symbol or function that is compared with zero, and maybe `above`, with that sign in its assumptions."""
     kind = SIGNS.get(type(item))
     if kind is None:
         return {}
     e, other = item.args
     if e.is_zero:
         e, other, kind = other, e, SIGNS[type(item.reversed)]
-    if not other.is_zero or not isinstance(e, sympy.Symbol | AppliedUndef):
+    below = above and kind in ("negative", "nonpositive")
+    if below or not other.is_zero or not isinstance(e, sympy.Symbol | AppliedUndef):
         return {}
     assumed = {**(e.assumptions0 if e.is_Symbol else assumed_of(e)), kind: True}
     return {e: sympy.Symbol(e.name, **assumed) if e.is_Symbol else sympy.Function(e.name, **assumed)(*e.args)}

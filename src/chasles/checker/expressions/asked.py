@@ -78,15 +78,12 @@ class Asked:
         equation = isinstance(item, sympy.Equality)
         if not equation and isinstance(item, bool | Boolean) and not isinstance(item, sympy.Expr):
             raise Rejected(f"{what} is no equation")
-        left = self._entries(item.lhs if equation else item)
-        right = self._entries(item.rhs) if equation else dict.fromkeys(left, sympy.S.Zero)
+        one, other = (item.lhs, item.rhs) if equation else (item, 0)
+        left = self._entries(one)
+        right = self._entries(other) if equation else dict.fromkeys(left, sympy.S.Zero)
         if left.keys() != right.keys():
             raise Rejected(f"{what} sets equal what has different shapes")
-        text = what
-        if equation and isinstance(item.lhs, sympy.Expr):
-            text = f"{item.lhs} = {item.rhs}"
-        elif isinstance(item, sympy.Expr):
-            text = f"{item} = 0"
+        text = f"{one} = {other}" if isinstance(one, sympy.Expr) else what
         return GivenEquation(text, {key: (left[key], right[key]) for key in left})
 
     def _nonzero(self, item: Any) -> Any:

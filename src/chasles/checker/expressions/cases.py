@@ -119,9 +119,12 @@ class CheckedCase:
         found = visible_signs(sympy.expand(e)) if sign is None else frozenset((sign,))
         if len(found) < 3 or e.is_rational_function():
             return found
+        above, below = sympy.fraction(sympy.together(e)) if slopes > MOST_SLOPES - 2 else (e, sympy.S.One)
+        if below.free_symbols and (under := self.signs(below, slopes - 1)) in ({1}, {-1}):
+            found = frozenset(sign * min(under) for sign in self.signs(above, slopes))
         from chasles.checker.expressions.slopes import by_slope  # few questions are of inequalities between functions
 
-        return by_slope(self, e, slopes)
+        return by_slope(self, e, slopes) if len(found) == 3 else found
 
     def _deciding_sign(self, part: Any, e: Any) -> int | None:
         """The sign by which a part is written out; one of two, where it is the same if something vanishes."""
@@ -196,16 +199,15 @@ class CheckedCase:
 
     def _free(self, factor: Any) -> Iterator[Any]:
         """The symbols in which the factor is linear with a rational coefficient, and which may have any value."""
-        inside = {s for e in (*self.spoken, *self.equations) for f in e.atoms(AppliedUndef, sympy.Derivative)
-                  for s in f.free_symbols}  # fmt: skip
-        for symbol in sorted(factor.free_symbols - inside, key=str):
+        calls = (call for e in (*self.spoken, *self.equations) for call in e.atoms(AppliedUndef, sympy.Derivative))
+        for symbol in sorted(factor.free_symbols - {s for call in calls for s in call.free_symbols}, key=str):
             slope = sympy.diff(factor, symbol) if factor.is_polynomial(symbol) else sympy.nan
             if slope.is_Rational and slope != 0 and all(getattr(symbol, f"is_{kind}") is None for kind in NUMBERS):
                 yield symbol
 
     def _lost(self, case: CheckedCase, put: Mapping[Any, Any]) -> str:
-        """A divisor that vanishes in a case, or a radicand that is negative, outside of conditions; "" if none does."""
-        for power in self._outside():
+        """What is not to vanish and does, or a radicand that is negative, outside of conditions; "" if none is lost."""
+        for power in (*(sympy.Pow(e, -1, evaluate=False) for e in self.nonzero), *self._outside()):
             sign = case.sign(power.base.xreplace(put))
             if sign == 0 and power.exp < 0:
                 return f"{self.back(power.base)} != 0"
