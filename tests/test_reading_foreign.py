@@ -309,7 +309,7 @@ def test_a_line_that_begins_with_where_states_something(text: str, expected: lis
         (r"\mathbf a \preceq \mathbf b", [r"\mathbf{a}\preceq\mathbf{b}"]),
         (r"r = (\mathbf a.\mathbf b) h", [r"r=\left(\mathbf{a}\cdot\mathbf{b}\right)h"]),
         (r"\mathbf A^\prime = \mathbf A", ["' has no meaning in the notation"]),
-        (r"\mathbf a = h ({{}^0\mathbf a})", [r"the notation does not say what {}^{0}\mathbf{a} is"]),
+        (r"r = {{}^0{\mathbf a}}_{m1} r", [r"the notation does not say what {}^{0}\mathbf{a} is"]),
         (r"\mathbf a = h {}^\mathcal{B}{\begin{bmatrix} r \\ 1 \\ 0 \end{bmatrix}}",
          [r"\mathbf{a}=h\text{{}}^{\mathcal{B}}\begin{bmatrix}r\\1\\0\end{bmatrix}"]),
         (r"\mathbf A = \begin{bmatrix} \mathbf A & ... \mathbf A^{r-1} \mathbf A \end{bmatrix}",
