@@ -108,12 +108,15 @@ FIRST: list[tuple[Any, ...]] = [
     (p + 1 / p >= 2,),
     (Equivalent(Abs(u) < 1, And(u > -1, u < 1)),),
     (Implies(And(u > 0, v > 0), u * v > 0),),
+    (u**3 < 1, None, [u > 0, u < 1]),
+    (p, q, [Eq(p**2, q**2)]),
+    (x, y, [Eq(x**3, y**3)]),
 ]
 """One of each class: quotients, half angles, matrices, functions of time, roots with absolute values, nested roots,
 parts of pi, cases, roots of functions, hyperbolic functions, logarithms, exponentials of time, inverses, sums,
 angles by their tangents and cosines, angles of points, cases by conditions, complex numbers, sums of squares,
 functions that are called as a word of Coq is, ranges of angles, differences of functions, inequalities, and what joins
-some."""
+some, sides and sums of which the squares are told."""
 MORE: list[tuple[Any, ...]] = [
     (cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)),
     (tan(x + y), (tan(x) + tan(y)) / (1 - tan(x) * tan(y))),

@@ -29,6 +29,7 @@ from chasles.coq.turns import inverse, turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
+SQUARE = re.compile(r"square (\d+) (\d+),1")
 TANGENT = re.compile(r"\btan ")
 RATED = (sympy.sin, sympy.cos, sympy.exp)
 """Functions of which the theories know the rates."""
@@ -39,10 +40,11 @@ OTHERWISE = {
     "equal": "by products of roots",
     "turned": "by the angle of a point",
     "raised": "by the exponentials of both sides",
-    "variant": "of squares",
 }
 """Parts of certificates of which no proof is written for Coq."""
 READERS = (root, turned, inverse, exponential, logarithm)
+COMPARED = ("", "apply by_square; ", "apply by_squares; [nonnegative | nonnegative |]; ")
+"""By which step sides are equal, by the variant of a certificate: as they are, or since their squares are."""
 BY_CASES = ("intros.", "repeat apply conj; by_cases.")
 AS_SPELLED = ("intros.", "repeat apply conj; reflexivity.")
 
@@ -132,20 +134,24 @@ class _ScalarProof:
         yield from [f"{plain.rewritten.removesuffix('; ')} in *."] * bool(plain.values)
         yield from dict.fromkeys(step for pair in said.goals for side in pair for step in plain.nonzero(plain(side)))
         yield from ["repeat apply conj."] * (len(combined) > 1)
-        for total in combined:
-            yield f"{'- ' * (len(combined) > 1)}{plain.rewritten}apply (by_parts _ _ ({total})); [vanish | identity]."
+        for how, total in combined:
+            way = f"{plain.rewritten}{how}apply (by_parts _ _ ({total})); [vanish | identity]"
+            yield f"{'- ' * (len(combined) > 1)}{way}."
 
     def _order(self, remembered: tuple[str, str]) -> tuple[bool, bool, int]:
         """First what has tangents, then what definitions are put into; of these, the larger ones first."""
         text, _ = remembered
         return not TANGENT.search(text), text not in self.plain.asked, -len(text)
 
-    def _combined(self, count: int, left: Any, right: Any) -> str:
-        """The difference of both sides, as a combination of what vanishes."""
-        plain = self.plain
-        claim = plain(left) - plain(right)
+    def _combined(self, count: int, left: Any, right: Any) -> tuple[str, str]:
+        """The difference of both sides, or of squares, as a combination of what vanishes; after the step to these."""
+        plain, variant = self.plain, self.certificate.get("variant", 0)
+        left, right = plain(left), plain(right)
+        with suppress(Unsaid):
+            return "", plain.total(left - right)
+        claim = left**2 - right**2 if variant == 2 else (left - right) ** (1 + variant)
         try:
-            return plain.total(claim)
+            return COMPARED[variant], plain.total(claim)
         except Unsaid:
             place = list(self.statement.asked.left)[count]
             said = self.certificate.get("entries", {}).get("{},{}".format(*(k + 1 for k in place)), {})
@@ -153,16 +159,38 @@ class _ScalarProof:
                 raise
         divisors = [plain.parsed(text) for text in self.certificate.get("divisors", ())]
         below = reduce(mul, (divisors[int(k)] ** n for k, n in said.get("times", {}).items()), sympy.Integer(1))
+        plain.facts += plain.nonzero(1 / below)
         products, rest = [], claim * below
         for label, text in said.get("cofactors", {}).items():
             value, spelled = self._given(label)
             cofactor = plain.parsed(text)
             products.append(f"({text_of(cofactor)} / {text_of(below)}) * {spelled}")
             rest -= cofactor * value
-        return " + ".join([*products, plain.total(rest, below)])
+        return COMPARED[variant], " + ".join([*products, plain.total(rest, below)])
+
+    def _square(self, place: int, which: int) -> tuple[Any, str]:
+        """What vanishes since a sum of squares does, which is a multiple of what is given."""
+        plain, said = self.plain, self.certificate["squares"][place]
+        (label, times), squares = said["of"], [[plain.parsed(text) for text in pair] for pair in said["squares"]]
+        weight, base = squares[which]
+        if not all(each.is_nonnegative for each, _ in squares) or not weight.is_positive:
+            raise Unsaid("no proof is written with squares whose weights are not seen to be positive")
+        value, spelled = self._given(label)
+        times = plain.parsed(times)
+        terms = [f"({text_of(each)} * {text_of(of)}^2)" for each, of in squares]
+        rest = plain.total(sympy.Add(*(each * of**2 for each, of in squares)) - times * value)
+        total = f"apply (by_parts _ _ ({text_of(times)} * {spelled} + {rest})); [vanish | identity]"
+        known = "".join(f"assert (0 <= {term}) by nonnegative; " for term in terms)
+        steps = f"assert ({' + '.join(terms)} = 0) by ({total}); {known}"
+        steps += f"apply (of_square {text_of(weight)}); [above | lra]"
+        fact = f"assert (fact'{len(plain.facts)} : {text_of(base)} = 0) by ({steps})."
+        plain.facts.append(fact)
+        return base, text_of(base)
 
     def _given(self, label: str) -> tuple[Any, str]:
         """What is given, or its rate, as a polynomial that vanishes, and how it is spelled."""
+        if found := SQUARE.fullmatch(label):
+            return self._square(int(found[1]), int(found[2]) - 1)
         found = GIVEN.fullmatch(label)
         if found is None or int(found[1]) >= len(self.statement.asked.given):
             raise Unsaid("no proof is written with all that follows from what is given")

@@ -52,7 +52,8 @@ def _root(plain: PlainExpressions, e: Any, kind: str) -> Any:
     name = plain.remember(e)
     words = plain.certificate.get("words", ())
     names = [each for each, what, text in words if what == kind and _same(plain, said, kind, text)]
-    plain.facts.append(f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}.")
+    known = f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}."
+    plain.facts += [known] * (known not in plain.facts)
     ways = [_known(plain, square), _other_roots(plain), _other_sides(plain, e)]
     if plain.certificate.get("facts"):
         ways.reverse()
@@ -74,7 +75,8 @@ def _positive(plain: PlainExpressions, e: Any) -> Any:
     """The sign of what is positive: one."""
     of, name = plain(e.args[0]), plain.remember(e)
     plain.facts += [*plain.nonzero(1 / of), *_squares(plain, of)]
-    shown = f"match goal with |- 0 < ?a => replace a with {text_of(of)} by reckon end; first [above | lra]"
+    ways = [f"replace a with {text_of(each)} by reckon; first [above | lra]" for each in (of, sympy.factor(of))]
+    shown = " | ".join(f"match goal with |- 0 < ?a => {way} end" for way in dict.fromkeys(ways))
     steps = f"destruct (Rlt_dec 0 _) as [|no']; [reflexivity | exfalso; apply no'; first [above | {shown}]]"
     steps = f"rewrite of'{name}; unfold sign; {plain.rewritten}{steps}"
     plain.value(name, sympy.Integer(1), f"({steps})")

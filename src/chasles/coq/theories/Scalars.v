@@ -62,6 +62,12 @@ Proof.
     + rewrite cos_neg, sin_neg, cos_PI2, sin_PI2. assert (r = - y) by nra. subst r. split; field; lra.
     + exfalso. nra.
 Qed.
+Lemma by_square a b : (a - b) ^ 2 = 0 -> a = b.
+Proof. intro E. apply Rminus_diag_uniq, Rsqr_0_uniq. unfold Rsqr. rewrite <- E. ring. Qed.
+Lemma by_squares a b : 0 <= a -> 0 <= b -> a ^ 2 = b ^ 2 -> a = b.
+Proof. intros P Q E. apply Rsqr_inj; [exact P | exact Q | unfold Rsqr; lra]. Qed.
+Lemma of_square w a : 0 < w -> w * a ^ 2 = 0 -> a = 0.
+Proof. intros P E. apply Rsqr_0_uniq. unfold Rsqr. nra. Qed.
 Ltac nonnegative := first
   [ assumption | lra | apply Rlt_le; assumption | apply Rlt_le, exp_pos | apply Rmult_le_pos; nonnegative | apply Rplus_le_le_0_compat; nonnegative
   | apply Rle_mult_inv_pos; [nonnegative | above] | apply pow_le; nonnegative | apply pow2_ge_0 | nra
@@ -73,7 +79,8 @@ with above := first
   | apply Rplus_le_lt_0_compat; [nonnegative | above] | apply pow_lt; above
   | match goal with K : ?v = sqrt _ |- 0 < ?v => apply (root_above _ _ K); above end
   | match goal with K : ?v = Rabs _ |- 0 < ?v => apply (size_above _ _ K); assumption end
-  | match goal with |- 0 < ?a => match goal with H : 0 < ?b |- _ => replace a with b by reckon; exact H end end ].
+  | match goal with |- 0 < ?a => match goal with H : 0 < ?b |- _ => replace a with b by reckon; exact H end end
+  | rewrite <- ln_1; apply ln_increasing; lra | apply Rlt_Rminus; rewrite <- exp_0; apply exp_increasing; lra ].
 Ltac not_zero_known := first
   [ assumption | apply Rgt_not_eq; above | intro; lra | apply pow_nonzero; not_zero_known
   | apply not_zero_product; not_zero_known
