@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Abs, I, Rational, Sum, arg, ceiling, symbols
+from sympy import Abs, I, Max, Rational, Sum, Symbol, arg, ceiling, floor, symbols
 
-from chasles.prove import Untreatable, prove, recheck
+from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Fails, Holds
 
 x, y, k = symbols("x y k", real=True)
+n = Symbol("n", integer=True, positive=True)
 
 
 @pytest.mark.parametrize(
@@ -32,3 +34,13 @@ def test_the_work_is_bounded(left: Any, right: Any, name: type[Holds] | type[Fai
     verdict = prove(left, right)
     assert isinstance(verdict, name)
     recheck(verdict, left, right)
+
+
+@pytest.mark.parametrize(("left", "right"), [(floor(x), x), (Max(x, y), x), (Sum(2**k, (k, 1, n)), n)], ids=str)
+def test_a_point_is_told_in_numbers_not_in_texts(left: Any, right: Any) -> None:
+    verdict = prove(left, right)
+    assert isinstance(verdict, Fails)
+    found = verdict.counterexample
+    forged = replace(found, at=dict.fromkeys(found.at, "factorial(10**9)"))
+    with pytest.raises(Rejected):
+        recheck(Fails(forged), left, right)

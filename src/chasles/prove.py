@@ -18,7 +18,7 @@ from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.induction import at_numbers, check_induction
 from chasles.checker.expressions.proof import check_proof
-from chasles.checker.sparse import Rejected
+from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.at_points import without_points
@@ -216,7 +216,8 @@ def _check(verdict: Verdict, asked: tuple[Any, ...]) -> None:
                 raise Rejected(verdict.certificate["unread"])
             (check_induction if "induction" in verdict.certificate else check_proof)(verdict, *asked)
         case Fails(found):
-            check_refutation(*at_numbers(found, *asked))
+            with well_formed("counterexample"):
+                check_refutation(*at_numbers(found, *asked))
 
 
 def _said(exact: bool, *said: Any) -> tuple[Any, ...]:

@@ -124,7 +124,8 @@ def at_numbers(found: Counterexample, *asked: Any) -> tuple[Any, ...]:
     if not any(isinstance(side, sympy.Expr) and side.has(*LONG) for side in asked[:2]):
         return found, *asked
     left, right, given, nonzero = question = scalar_question(*asked)
-    letters = {each: sympy.sympify(found.at[str(each)]) for each in letters_of(question) if str(each) in found.at}
+    at = {each: found.at[str(each)] for each in letters_of(question) if str(each) in found.at}
+    letters = {each: sympy.sympify(value, strict=True) for each, value in at.items()}
     for letter, value in letters.items():
         if not value.is_Integer or (letter.is_positive and value < 1) or (letter.is_nonnegative and value < 0):
             raise Rejected(f"{letter} is not {value}")

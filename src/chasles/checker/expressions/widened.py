@@ -291,7 +291,7 @@ def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     for atom in atoms:
         if str(atom) not in at:
             raise Rejected(f"no value is given for {atom}")
-        point[atom] = sympy.sympify(at[str(atom)])
+        point[atom] = sympy.sympify(at[str(atom)], strict=True)
     values = EnclosedValues(point)
     for atom, value in point.items():
         sign = value if value.is_Rational else sympy.Integer(values.sign(value))
