@@ -18,10 +18,10 @@ from chasles.checker.refutation import check_counterexample
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
-from chasles.statements import Claim, Definition, definite, nonzero, positive, rotation, unit
+from chasles.statements import Claim, Condition, Definition, definite, nonzero, positive, rotation, unit
 from chasles.statements.inequalities import inequality
 from chasles.statements.posing import problem_of
-from chasles.verdict import Fails, HoldsUnder, Undecided
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     LENGTH,
@@ -42,6 +42,7 @@ from chasles.vocabulary import (
     scalar,
     sin,
     square,
+    tan,
     tr,
     vector,
 )
@@ -343,4 +344,30 @@ def test_bounds_of_an_angle_are_given_where_something_else_is_assumed_of_it() ->
     """An arc is an angle between 0 and pi, and no such angle is four or more: nothing satisfies all three."""
     arc, bounds = claim(arccos(cos(y)), y), (inequality(y >= 0), inequality(y <= PI))
     assert not scalar_question(problem_of(replace(arc, assuming=bounds))).given
-    assert len(scalar_question(problem_of(replace(arc, assuming=(*bounds, inequality(y >= 4))))).given) == 2
+    more = replace(arc, assuming=(*bounds, inequality(y >= 4)))
+    assert len(scalar_question(problem_of(more)).given) == 1
+    assert not Session().decide(more).verdict.true
+
+
+ACUTE = inequality(phi > -PI / 2), inequality(phi < PI / 2)
+height = log(tan(PI / 4 + phi / 2))
+cosine = Condition("0", cos(phi), x)
+OF_BOUNDED = [
+    (claim(height, arcsinh(tan(phi)), *ACUTE), True),
+    (claim(phi, PI / 2 - 2 * arctan(exp(-height)), *ACUTE), True),
+    (claim(rate(height), rate(phi) / cos(phi), *ACUTE), True),
+    (replace(claim(phi, arctan(x), *ACUTE), given=(Condition("0", tan(phi), x),)), True),
+    (replace(claim(phi, arccos(x), inequality(phi >= 0), inequality(phi <= PI)), given=(cosine,)), True),
+    (replace(claim(phi, arccos(x), inequality(phi >= 0), inequality(phi <= 2 * PI)), given=(cosine,)), False),
+    (claim(arctan(tan(phi)), phi, inequality(phi > -PI / 2), inequality(phi < PI)), False),
+    (claim(height, arcsinh(sin(phi)), *ACUTE), False),
+]
+
+
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize(("said", "true"), OF_BOUNDED, ids=range(len(OF_BOUNDED)))
+def test_what_is_said_of_an_angle_between_bounds_is_decided(said: Claim, true: bool) -> None:
+    """Inverse functions and roots have other values beyond."""
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
+    assert not true or {*verdict.needs} >= {h.text for h in said.assuming}

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from functools import reduce
+from typing import TYPE_CHECKING, Any
 
 from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.prover.certifying import proved
@@ -56,7 +58,7 @@ def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
                 return Undecided("a counterexample was found, which may not satisfy all that is assumed")
             return Fails(Counterexample(found.at, entry, found.left, found.right, label))
         case Contradictory(hypotheses, certificate):
-            return Contradictory(tuple(dict.fromkeys(_said(hypotheses, question.sources))), certificate)
+            return Contradictory(tuple(dict.fromkeys(_said(hypotheses, question))), certificate)
         case Holds() | HoldsUnder():
             return _proved(verdict, problem, own, question, asked_whole)
         case _:
@@ -71,15 +73,60 @@ def _proved(
     certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
     positive = (h.text for h in problem.hypotheses if h.kind == "positive")
     order = {h.text: place for place, h in enumerate(problem.hypotheses)}
-    used = (*positive, *question.used, *_said(verdict.needs, question.sources))
+    used = (*positive, *question.used, *_said(verdict.needs, question))
     needs = tuple(sorted(dict.fromkeys(used), key=lambda text: order.get(text, len(order))))
     unused = tuple(h.text for h in own if h.text not in needs)
-    return proved(needs, certificate, verdict.witness, unused)
+    return proved(needs, certificate, _at_quantities(verdict.witness, question.values), unused)
 
 
-def _said(texts: tuple[str, ...], sources: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+def _at_quantities(point: Mapping[str, Any], values: Mapping[Any, Any]) -> dict[str, Any]:
+    """A point with the values of quantities in place of those of the symbols by which these were said."""
+    shown = dict(point)
+    for quantity, value in values.items():
+        put = {new: point[str(new)] for new in value.free_symbols if str(new) in point}
+        if len(put) == len(value.free_symbols):
+            shown = {name: number for name, number in shown.items() if name not in map(str, put)}
+            found = value.subs({new: str(number) for new, number in put.items()})
+            shown[str(quantity)] = Fraction(int(found.p), int(found.q)) if found.is_Rational else found
+    return shown
+
+
+def _said(texts: tuple[str, ...], question: ScalarQuestion) -> Iterator[str]:
     """Which hypothesis says what SymPy spells; what none says is spelled as in the chapter, conditions are given."""
     from chasles.checker.expressions.scalars import spelled
 
-    said = (part for text in texts for part in sources.get(text, (spelled(text),)))
-    return tuple(filter(None, said))
+    for text in texts:
+        if text in question.sources:
+            yield from filter(None, question.sources[text])
+        else:
+            yield from map(spelled, _of_quantities(text, question.values) if question.values else (text,))
+
+
+def _of_quantities(text: str, values: Mapping[Any, Any]) -> Iterator[str]:
+    """What a need says of quantities, where it is not evident; what it says of new symbols, with their meaning."""
+    import sympy as sp
+    from sympy.core.function import AppliedUndef
+
+    from chasles.checker.expressions.visible import signs_of
+    from chasles.checker.expressions.widened import said_need
+
+    text = reduce(lambda text, known: text.replace(str(known[1]), str(known[0])), values.items(), text)
+    owners = {new: q for q, value in values.items() for new in value.atoms(AppliedUndef) or value.free_symbols}
+    need = said_need(text.replace("(t)", ""), {str(new).split("(")[0]: new for new in owners})
+    if need is None or not need[0].has(*owners):
+        yield text
+        return
+    if need[0] in {sp.Add(*(part**2 for part in arc.args)) for arc in sp.Tuple(*values.values()).atoms(sp.atan2)}:
+        return  # a direction
+    said, relation = need
+    for new, quantity in owners.items():
+        value = values[quantity]
+        for call in value.atoms(sp.asin, sp.atan):
+            slope = value.coeff(call)
+            if call.args == (new,):
+                turn = sp.expand((quantity - value + slope * call) / slope)
+                said = said.subs(new, (sp.sin if isinstance(call, sp.asin) else sp.tan)(turn))
+        if said.has(new):
+            yield f"{quantity} = {value}"
+    if relation != ">=" or said.has(*owners) or -1 in signs_of(said):
+        yield f"{said} {relation} 0"

@@ -11,9 +11,10 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction
 
+from chasles.checker.expressions.angles_between import between, ratio
+from chasles.checker.expressions.bounded_angles import is_halved
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR, is_whole
-from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
@@ -135,17 +136,11 @@ def _with_angle(said: Said, symbol: Any) -> Said:
         return said
     part = _part(said, symbol)
     value = between(low * part, high * part, after, before, partial(_fresh, said))
-    if value is None or (_is_halved(value) and _has_arcs(said, symbol)):
+    if value is None or (is_halved(value) and _has_arcs(said, symbol)):
         return said
     value = value / part
     bounded = sympy.Dummy(positive=after or None, nonnegative=True) if low == 0 else sympy.Dummy(real=True)
     return _defined(said, symbol, value, ends) if _may_be(symbol, bounded, said) else said
-
-
-def _is_halved(value: Any) -> bool:
-    """Whether an angle is a multiple of an arctangent with roots of numbers in it."""
-    calls = value.atoms(sympy.atan)
-    return any(abs(value.coeff(e)) > 1 and any(p.exp == sympy.S.Half for p in e.atoms(sympy.Pow)) for e in calls)
 
 
 def _has_arcs(said: Said, symbol: Any) -> bool:
@@ -168,11 +163,7 @@ def _with_ratio(said: Said, symbol: Any, name: str) -> Said | None:
     (low, after, _), (high, before, _) = ends
     if not (high - low).is_positive:
         return None
-    if after or before:
-        d = _fresh(said, name, **{"positive" if after and before else "nonnegative": True})
-        value = (low + high * d) / (1 + d) if before else (high + low * d) / (1 + d)
-    else:
-        value = closed(low, high, _fresh(said, name))
+    value = ratio(low, high, after, before, partial(_fresh, said), name)
     return _defined(said, symbol, value, ends) if _may_be(symbol, value, said) else None
 
 

@@ -36,7 +36,8 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
     and matrices of which it is assumed that they have no fewer rows than columns.
     """
     hypotheses = [node for h in claim.assuming for node in (*h.subjects, *h.nonvanishing)]
-    sizes = sizes_of([claim.left, claim.right, *hypotheses])
+    rested_on = [side for given in claim.given for side in accepted(given)]
+    sizes = sizes_of([claim.left, claim.right, *hypotheses, *rested_on])
     more = range(len(sizes) - 1)
     growing, falling = [2, *(4 + k for k in more)], [3, *(5 + k for k in more)][::-1]
     for chosen in (growing, falling) if sizes else ():

@@ -8,14 +8,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from chasles import vocabulary as w
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
-from chasles.checker.expressions.widened import plain_expression
+from chasles.checker.expressions.widened import plain_expression, put
 from chasles.checker.expressions.words import EntriesOfWords
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
@@ -33,7 +35,7 @@ class ScalarQuestion:
 
     `places` are the goal, row and column of each entry; `sources` who says what is given, by its text in SymPy; `used`
     the hypotheses by which arguments of functions are said otherwise. If it is `partial`, hypotheses say more than
-    that: a proof counts, a counterexample does not.
+    that: a proof counts, a counterexample does not. `values` are those that quantities between bounds have.
     """
 
     left: Any
@@ -44,6 +46,7 @@ class ScalarQuestion:
     sources: Mapping[str, tuple[str, ...]]
     used: tuple[str, ...]
     partial: bool
+    values: Mapping[Any, Any]
 
     @property
     def asked(self) -> tuple[Any, ...]:
@@ -54,18 +57,17 @@ class ScalarQuestion:
 def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     """The question that a problem asks, entry by entry; raises `Rejected` for a word that has no entries.
 
-    A divisor that was cancelled is named among what is used. For proving, bounds of an angle by which an inverse
-    function was said otherwise are left out, if nothing else is assumed of the angle and they leave it room: a proof
-    does without them, and a witness need not be looked for.
+    A divisor that was cancelled is named among what is used. Of a quantity between bounds it is asked of all values
+    between them; for proving, the bounds are left out where no function or root has other values without them, and
+    nothing else is said of it: a proof does without them, and a witness need not be looked for.
     """
     entries = EntriesOfWords(problem)
     sides = [[entries(side) for side in goal.sides] for goal in problem.goals]
     left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
     given: dict[Any, tuple[str, ...]] = {}
     both = sp.Tuple(*left, *right)
-    if both.has(sp.Abs) or any(power.exp.is_Rational and power.exp.q == 2 for power in both.atoms(sp.Pow)):
-        given |= entries.principal.signs_of_turns(both)
-    settled = entries.by_sign | (entries.settled if proving else frozenset())
+    values = entries.values_between(both, numbers=not proving)
+    settled = {*entries.by_sign, *(text for _, texts in values.values() for text in texts)}
     nonzero: list[Any] = []
     sources: dict[str, tuple[str, ...]] = {}
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
@@ -86,8 +88,8 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
         if _turns(hypothesis):  # its difference, read as a word by the hypothesis itself, would say nothing
             value = entries(hypothesis.subjects[0])[0]
             kept = [value for _ in nodes if value.atoms(sp.Function) <= value.atoms(sp.cos, sp.sin)]
-            said = (sp.sign(value), sp.Integer(1)) if nodes and not kept else (sp.Abs(value), value)
-            given[sp.Eq(*said, evaluate=False)] = (hypothesis.text,)
+            sign = (sp.sign(value), sp.Integer(1)) if nodes and not kept else (sp.Abs(value), value)
+            given[sp.Eq(*sign, evaluate=False)] = (hypothesis.text,)
         nonzero += kept
         sources |= {f"{value} != 0": (hypothesis.text,) for value in kept}
     lost = entries.lost_divisors(both)
@@ -95,18 +97,39 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
         nonzero += [divisor for divisor in lost if divisor not in nonzero]
         for domain in entries.lost_domains(both):
             given[sp.Eq(sp.Abs(domain), domain, evaluate=False)] = (f"{spelled(domain)} >= 0",)
+    if proving:
+        values = {q: e for q, e in values.items() if _matters(q, both) or any(e.has(q) for e in (*given, *nonzero))}
+
+    def said(e: Any) -> Any:
+        return reduce(lambda e, known: put(e, known[0], known[1][0]), values.items(), e)
+
+    given = {sp.Eq(*map(said, equation.args), evaluate=False): texts for equation, texts in given.items()}
+    sources |= {f"{said(e)} != 0": sources.get(f"{e} != 0", (f"{spelled(e)} != 0",)) for e in nonzero}
+    if not proving:
+        given |= {sp.Eq(quantity, value, evaluate=False): texts for quantity, (value, texts) in values.items()}
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
     sources |= {f"{equation.lhs} = {equation.rhs}": texts for equation, texts in given.items()}
     divided = (text for e in lost for text in sources.get(f"{e} != 0", (f"{spelled(e)} != 0",)))
-    used = (*entries.reasons, *divided)
-    return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
+    between = dict.fromkeys(text for _, texts in values.values() for text in texts)
+    used = (*entries.reasons, *between, *divided)
+    left, right = left.applyfunc(said), right.applyfunc(said)
+    known = {quantity: value for quantity, (value, _) in values.items()}
+    return ScalarQuestion(left, right, tuple(given), tuple(map(said, nonzero)), places, sources, used, partial, known)
 
 
 def spelled(e: Any) -> str:
     """A SymPy expression, or a text with one, as it is spelled in a chapter."""
     return str(e).replace("**", "^").replace("*", " ")
+
+
+def _matters(quantity: Any, sides: Any) -> bool:
+    """Whether sides speak of a quantity in more than products and sums of cosines and sines."""
+    calls = sides.atoms(sp.Function, sp.Pow)
+    turns = {call: sp.Dummy() for call in calls if isinstance(call, sp.cos | sp.sin)}
+    plain = (*turns, *sides.atoms(AppliedUndef), *(e for e in calls if e.is_Pow and e.exp.is_Integer))
+    return any(e.has(quantity) for e in (sides.xreplace(turns), *calls.difference(plain)))
 
 
 def _turns(hypothesis: Hypothesis) -> bool:

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded
-from chasles.checker.expressions.principal import Bounds, PrincipalValues, in_fewer_squares
+from chasles.checker.expressions.bounded_angles import Bounds, in_fewer_squares
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.switches import SWITCHES, deciding
 from chasles.checker.expressions.visible import signs_of
@@ -47,13 +48,9 @@ class EntriesOfWords:
         self.applied: dict[Any, Any] = {}
         self.used: dict[str, None] = {}
         self.units: dict[str, list[Any]] = {}
-        self.bounds: dict[Any, Bounds] = {}
-        positive: dict[Any, str] = {}
-        self.principal = PrincipalValues(self.bounds, positive)
+        self.positive: dict[Any, str] = {}
+        self.bounds: dict[tuple[Any, Any], Bounds] = {}
         assumed = [h for h in problem.hypotheses if h.kind != "inequality"]
-        self.stated = [goal.sides for goal in problem.conditions]
-        self.stated += [pair for h in assumed for pair in h.equations]
-        self.stated += [(node, node) for h in assumed for node in h.nonvanishing]
         self.signs = {str(s): {"nonnegative": True} for s in problem.nonnegative}
         self.signs |= {str(s): {"positive": True} for h in assumed if h.kind == "positive" for s in h.subjects}
         inequalities = [h for h in problem.hypotheses if h.kind == "inequality"]
@@ -64,10 +61,11 @@ class EntriesOfWords:
         for h in inequalities:
             difference = self(h.subjects[0])[0]
             if h.nonvanishing:
-                positive[difference] = h.text
-            angle = min(difference.free_symbols, key=str, default=sp.S.Zero)
-            if not self.bounds.setdefault(angle, Bounds()).narrow(difference, angle, bool(h.nonvanishing), h.text):
-                self.stated.append((h.subjects[0], h.subjects[0]))
+                self.positive[difference] = h.text
+            quantity = min(difference.atoms(AppliedUndef) or difference.free_symbols, key=str, default=sp.S.Zero)
+            for unit in (sp.pi, sp.S.One):
+                known = self.bounds.setdefault((quantity, unit), Bounds(unit))
+                known.narrow(difference, quantity, bool(h.nonvanishing), h.text)
 
     def __call__(self, node: w.Node) -> Any:
         """The entries as an immutable matrix."""
@@ -86,19 +84,30 @@ class EntriesOfWords:
                 return True
         return False
 
-    @property
-    def settled(self) -> frozenset[str]:
-        """The texts of the bounds that are used, leave room, and are of angles of which nothing else is assumed."""
-        others = [side for pair in self.stated for side in pair]
-        speaking = {symbol for side in others for symbol in self(side).free_symbols}
-        found = [b for angle, b in self.bounds.items() if angle not in speaking and b.low < b.high]
-        said = {*self.reasons, *(text for texts in self.principal.told.values() for text in texts)}
-        return frozenset(said.intersection(text for b in found for text in b.texts))
+    def values_between(self, sides: Any, numbers: bool) -> dict[Any, tuple[Any, tuple[str, ...]]]:
+        """Quantities between multiples of pi, or `numbers`: what has all values between these, and their texts."""
+        found: dict[Any, tuple[Any, tuple[str, ...]]] = {}
+        for (quantity, unit), bounds in self.bounds.items():
+            value = (
+                None
+                if quantity in found or not (numbers or unit == sp.pi)
+                else bounds.value(quantity, [sides], self._fresh)
+            )
+            if value is not None:
+                found[quantity] = value, bounds.texts
+        return found
+
+    def _fresh(self, name: str, **sign: bool) -> Any:
+        """A quantity with a name that no other has."""
+        while name in self.named:
+            name += "_"
+        self.named[name] = (w.PI, 0, 0)
+        return sp.Function(name, real=True, **sign)(TIME) if self.moving else sp.Symbol(name, real=True, **sign)
 
     @property
     def reasons(self) -> dict[str, None]:
         """The texts of the hypotheses by which quantities have signs, and arguments are said otherwise."""
-        return dict.fromkeys((*sorted(self.by_sign), *self.used, *self.principal.used))
+        return dict.fromkeys((*sorted(self.by_sign), *self.used))
 
     def equations(self, left: w.Node, right: w.Node) -> Iterator[Any]:
         """The equations between the entries, but for those that are true on their face."""
@@ -138,7 +147,8 @@ class EntriesOfWords:
 
     def _divide(self, divisors: Iterable[Any]) -> None:
         """Take note of the factors of what must not vanish."""
-        self.divisors |= dict.fromkeys(part.as_base_exp()[0] for e in divisors for part in sp.Mul.make_args(e))
+        factors = [part.as_base_exp()[0] for e in divisors for part in sp.Mul.make_args(e)]
+        self.divisors |= {of.args[0] if isinstance(of, sp.Abs) else of: None for of in factors}
 
     def _with_given_rates(self, entries: Any) -> Any:
         """The entries with what is given for the rates of symbols, and for higher rates what follows of it."""
@@ -157,11 +167,16 @@ class EntriesOfWords:
         raise Rejected("what is given for rates leads back to them")
 
     def _value(self, function: str, arguments: list[Any]) -> Any:
-        """A function's value; where it is real is taken note of."""
+        """A function's value; where it is real is noted. Of a point's angle, positive factors are left out."""
+        if function == "atan2":
+            common = {*sp.Mul.make_args(arguments[0])}.intersection(sp.Mul.make_args(arguments[1]))
+            positive = [e for e in common if e in self.positive or signs_of(e) == {1}]
+            self.used |= dict.fromkeys(sorted(self.positive[e] for e in positive if e in self.positive))
+            arguments = [argument / sp.Mul(*positive) for argument in arguments]
         value = FUNCTIONS[function](*arguments)
         if function in DOMAINS:
             self.applied[value] = DOMAINS[function](*arguments)
-        return self.principal(value)
+        return value
 
     def lost_divisors(self, sides: Any) -> list[Any]:
         """The factors by which is divided, and which have been cancelled: sides that stand where they vanish too."""

@@ -54,3 +54,11 @@ def _near(low: Any, high: Any, after: bool, before: bool, fresh: Fresh) -> Any:
 def closed(low: Any, high: Any, any_: Any) -> Any:
     """An expression in a symbol of any value, whose values are all numbers between two others, and both of these."""
     return sympy.factor(low + (high - low) * (1 + any_) ** 2 / (2 * (1 + any_**2)))
+
+
+def ratio(low: Any, high: Any, after: bool, before: bool, fresh: Fresh, name: str = "d_1") -> Any:
+    """An expression whose values are all numbers between two others, without those that are excluded."""
+    if not (after or before):
+        return closed(low, high, fresh(name))
+    d = fresh(name, **{"positive" if after and before else "nonnegative": True})
+    return (low + high * d) / (1 + d) if before else (high + low * d) / (1 + d)
