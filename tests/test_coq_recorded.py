@@ -33,7 +33,7 @@ NOT_RECORDED = {
     "chasles.derivations": dict.fromkeys(
         ("text 3.8 l/1", "text 3.8 m/2", "text 3.8 t/1", "text 3.8 y/1", "text 3.8 z/2"), IN_PART
     ),
-    "chasles.rotations": {},
+    "chasles.rotations": {"1.41/1": "no proof is written of what is shown by the angle of a point"},
 }
 """The statements that claim something, of which no record is kept, and why."""
 

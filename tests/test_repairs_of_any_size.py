@@ -9,7 +9,7 @@ import pytest
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
-from chasles.statements import Claim, nonzero, symmetric
+from chasles.statements import Claim, Definition, nonzero, symmetric
 from chasles.statements.matrices import invertible
 from chasles.vocabulary import (
     CPM,
@@ -105,3 +105,16 @@ def test_what_is_true_of_one_size_only_is_no_repair() -> None:
     claim = Claim("1", det(A + Identity(n)), det(A) - tr(A) + 1)
     assert all("tr" not in plain(each.right) or each.verdict.true for each in repair(claim))
     assert not [each for each in repair(claim) if plain(each.right) == "det(A) + tr(A) + 1"]
+
+
+def test_a_size_that_only_what_is_given_has() -> None:
+    """The number of rows of H is in none of the sides."""
+    gram = Definition("0", A, H.T @ H)
+    found = repair(Claim("1", A.T @ A, A @ A @ A, given=(gram,)))
+    assert "A A" in [plain(each.right) for each in found]
+
+
+def test_what_is_undecided_is_left_alone_where_its_sides_agree_at_points() -> None:
+    agreeing = Claim("1", x.T @ A @ x, x.T @ A.T @ x)
+    assert repair(agreeing, undecided=True) == ()
+    assert repair(Claim("1", x.T @ A @ x, 2 * x.T @ A.T @ x), undecided=True)

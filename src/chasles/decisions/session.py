@@ -165,7 +165,8 @@ class Session:
         return repairs_stand(said, repairs, self.accepted, before, self.verdict_on)
 
     def _search(self, said: Statement, before: tuple[Statement, ...], in_full: bool) -> tuple[Repair, ...]:
-        found = repair(said, self.accepted, context=before)
+        undecided = isinstance(self._form(said), Undecided)
+        found = repair(said, self.accepted, context=before, undecided=undecided)
         return tuple(with_fields(each, verdict=_in_full(each.verdict)) for each in found) if in_full else found
 
     def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:

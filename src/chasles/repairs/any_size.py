@@ -23,7 +23,7 @@ from chasles.statements.matrices import with_sizes
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node
 from chasles.vocabulary.measure import Extent
-from chasles.vocabulary.sizes import at_sizes, sizes_of
+from chasles.vocabulary.sizes import Size, at_sizes, sizes_of
 
 DRAWN, POINTS = 60, 6
 """So many points are drawn, of which so many are used, those of the largest sizes first."""
@@ -35,9 +35,7 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
     For the letters stand different small numbers at which it fails: there are claims that are true of even sizes only,
     and matrices of which it is assumed that they have no fewer rows than columns.
     """
-    hypotheses = [node for h in claim.assuming for node in (*h.subjects, *h.nonvanishing)]
-    rested_on = [side for given in claim.given for side in accepted(given)]
-    sizes = sizes_of([claim.left, claim.right, *hypotheses, *rested_on])
+    sizes = _sizes(claim, accepted)
     more = range(len(sizes) - 1)
     growing, falling = [2, *(4 + k for k in more)], [3, *(5 + k for k in more)][::-1]
     for chosen in (growing, falling) if sizes else ():
@@ -45,6 +43,20 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
         if chosen is falling or near.is_tested(*near.statement.printed):
             return near
     return None
+
+
+def differs_at_sizes(claim: Claim, accepted: AcceptedSides) -> bool:
+    """Whether the sides differ at some points of several sizes; so they may, where no letter stands for a size."""
+    if not _sizes(claim, accepted):
+        return True
+    test = _PointTest(claim, accepted)
+    return bool(test.points) and not test.agree(claim.left, claim.right)
+
+
+def _sizes(claim: Claim, accepted: AcceptedSides) -> tuple[Size, ...]:
+    hypotheses = [node for h in claim.assuming for node in (*h.subjects, *h.nonvanishing)]
+    rested_on = [side for given in claim.given for side in accepted(given)]
+    return sizes_of([claim.left, claim.right, *hypotheses, *rested_on])
 
 
 def _at_numbers(claim: Claim, accepted: AcceptedSides, numbers: dict[str, int]) -> NearestAtNumbers:

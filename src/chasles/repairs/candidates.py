@@ -34,12 +34,16 @@ from chasles.vocabulary import Node
 
 @dataclass
 class Nearest:
-    """What can be changed in a statement: the symbols at hand are those of its sides and of the `given_sides`."""
+    """What can be changed in a statement: the symbols at hand are those of its sides and of the `given_sides`.
+
+    Where it is `undecided`, and its sides agree at points, there is nothing to change.
+    """
 
     statement: Statement
     accepted: AcceptedSides
     given_sides: tuple[Node, ...] = ()
     context: tuple[Claim, ...] = ()
+    undecided: bool = False
     _known_tests: dict[tuple[Node, Node, int], tuple[ModularTest | None, TermBasis]] = field(default_factory=dict)
 
     def changes(self, left: Node, right: Node) -> Iterator[Change]:
@@ -143,7 +147,7 @@ class Nearest:
 
     def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
         test = self.in_floats(left, right)
-        if test is not None:
+        if test is not None and not (self.undecided and test.agree(left, right)):
             yield from changes_without_form(test, left, right, self.letters, self.given_sides)
 
     def in_floats(self, left: Node, right: Node) -> RealTest | None:

@@ -15,7 +15,7 @@ from itertools import chain, islice
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
 from chasles.display import Displayed
-from chasles.repairs.any_size import NearestAtNumbers, nearest_at_numbers
+from chasles.repairs.any_size import NearestAtNumbers, differs_at_sizes, nearest_at_numbers
 from chasles.repairs.candidates import Nearest, given_sides
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import ORTHOGONAL, Ranking
@@ -64,13 +64,15 @@ def repair(
     accepted: AcceptedSides = default_sides,
     effort: float = EFFORT,
     context: Iterable[Statement] = (),
+    undecided: bool = False,
 ) -> tuple[Repair, ...]:
     """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
 
     `accepted` gives the sides with which given statements are used. Changes are counted from the printed equation;
     where restored marks alone do not make it true, the search goes on from the statement's reading if it has one.
     `context` are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a
-    definition say what it is. What rests on a statement that is not proved is not repaired.
+    definition say what it is. What rests on a statement that is not proved is not repaired. What is `undecided` may be
+    true: it is left alone unless its sides differ at points.
     """
     try:
         sides = given_sides(statement, accepted)
@@ -79,7 +81,7 @@ def repair(
     claims = tuple(other for other in context if isinstance(other, Claim) and _says_something(other))
     if isinstance(statement, Claim):
         claims = _not_resting_on(statement, claims)
-    near = Nearest(statement, accepted, sides, claims)
+    near = Nearest(statement, accepted, sides, claims, undecided)
     found: list[Repair] = []
     with suppress(OutOfTime), within(effort):
         found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
@@ -101,6 +103,8 @@ def claims_of(statement: Statement, repair: Repair, context: Iterable[Statement]
 def _of_claim(near: Nearest) -> Iterator[Repair]:
     statement = near.statement
     if not isinstance(statement, Claim) or statement.solves is not None:
+        return
+    if near.undecided and not differs_at_sizes(statement, near.accepted):
         return
     sized = nearest_at_numbers(statement, near.accepted)
     for changes in _candidates(near) if sized is None else _at_any_size(sized):
