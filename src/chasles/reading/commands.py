@@ -74,7 +74,7 @@ DROPPED = _commands(
     "displaystyle textstyle scriptstyle scriptscriptstyle limits nolimits displaylimits allowbreak nobreak break "
     "nonumber notag noindent strut mathstrut protect hline toprule midrule bottomrule relax thinspace medspace "
     "thickspace negthinspace negmedspace negthickspace enspace enskip linebreak pagebreak unboldmath normalsize small "
-    "footnotesize scriptsize large xspace displaybreak centering par f therefore qedhere empty"
+    "footnotesize scriptsize large xspace displaybreak centering par f therefore qedhere empty checkmark"
 ) | {r"\,", r"\;", r"\:", r"\!", r"\ ", r"\/", r"\-", r"\>", r"\@", "\\\n", "~"}
 LENGTHS = _commands("hskip mskip kern mkern")
 """Commands that a length follows."""

@@ -175,6 +175,10 @@ def _applications(items: Atoms, start: int, makes: list[Make], ctx: FittingConte
         marks = replace(letter_of(first), accents=(), base="")
         yield start + 2, with_marks(list(made_of(makes, choices, name, ctx)), marks, ctx)
         return
+    if _is_function(first, ctx):  # as in \ln\tan x
+        for end, fits in factors(items, start + 1, ctx):
+            yield end, list(made_of(makes, [[fit] for fit in fits], name, ctx))
+        return
     for end in range(start + 2, len(items) + 1 if not _is_letter(name, ctx) else 0):
         last = items[end - 1]  # an argument without brackets ends before brackets, and before another function
         if (last.kind == "BRACKET" and "|" not in last.text) or _is_function(last, ctx):

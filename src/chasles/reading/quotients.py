@@ -51,7 +51,7 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
             fits = applied(makes, of_atoms(said.of, ctx), ctx, marks, atom.text)
             is_word = any(fit.node is None or not fit.node.fault for fit in fits)
             return fits if is_word else ctx.of_its_own(latex_of(atom))  # by a matrix, or by an expression
-    found = []
+    found: list[Fit] = []
     for top, bottom in product(of_atoms(above, ctx), of_atoms(below, ctx)):
         divisor = bottom.at((1, 1))
         if divisor is None:
@@ -61,7 +61,7 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         if (one := top.sized_as((1, 1))) is not None:
             parts = ctx.inside(one, Precedence.SUM), ctx.inside(divisor, Precedence.SUM)
             found += ctx.made(Quotient, *parts, cost=one.cost + divisor.cost)
-    return found
+    return found or (ctx.of_its_own(latex_of(atom)) if said and said.of and said.by else [])  # by a column, with deltas
 
 
 def exponential_fits(exponent: Atoms, ctx: FittingContext) -> list[Fit]:
