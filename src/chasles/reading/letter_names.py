@@ -27,8 +27,8 @@ INERTIA = re.compile(
     r"|= (?:\\i*int|\\[dt]?frac|m) )"
     r"|\\frac \{ [^{}]* \} \{ I \}|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"
 )
-"""An I before a letter or brackets, in a denominator, inverted, or said to be a quotient or integral, is no identity, nor
-one of one row, nor a 1 that is transposed."""
+"""An I before a letter or brackets, in a denominator, inverted, or said to be a quotient or integral, is no identity;
+nor is one of one row, nor a 1 that is transposed."""
 WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 _LABELLED = re.compile(
     r"(\\?[A-Za-z]+)(?: \})?(?: _ \{ [^{}]* \})? \^ \{ [01] \}"
