@@ -74,7 +74,12 @@ assuming = ['n_x \cdot n_y = 0', 'n_z = n_x \times n_y']
 def test_a_slip_for_which_no_point_is_found_is_told_with_what_was_likely_meant() -> None:
     letters = {**{rf"\mathbf{{{each}}}": "vector" for each in "abc"}, r"\theta": "angle", "m": "scalar"}
     law, slip = r"\mathbf{c} = 2 \mathbf{b} - 3 \cos\theta \mathbf{b}", r"2 \mathbf{b} - m \mathbf{b}"
-    said = (r"\theta = \|\mathbf{a}\|", law, rf"\mathbf{{c}} + m \mathbf{{b}} + 3 \cos\theta \mathbf{{b}} = {slip}")
+    length = r"\theta = \|\mathbf{a}\| + \|\mathbf{a} \times \mathbf{b}\| + \|\mathbf{a} + \mathbf{b} - 2 \mathbf{c}\|"
+    said = (
+        length.replace(r"\mathbf{c}", r"\mathbf{b} \times \mathbf{a}"),
+        law,
+        rf"\mathbf{{c}} + m \mathbf{{b}} + 3 \cos\theta \mathbf{{b}} = {slip}",
+    )
     *_, slip = read("\n".join(f"$$ {each} $$" for each in said), {"symbols": letters}).equations
     assert slip.verdict == "open"
     assert str(slip.finding.instead.left) == "c - m b + 3 cos(theta) b"

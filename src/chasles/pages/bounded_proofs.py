@@ -27,7 +27,7 @@ from chasles.vocabulary import Misfit, Node, Power
 
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
-MOST_WORDS, MOST_IN_BRIEF = 60, 12
+MOST_WORDS, MOST_IN_BRIEF = 100, 24
 """Problems of functions that have no polynomial form are left where they have more words than this, entry by entry.
 
 SymPy counts no work: where nothing says that a claim follows, or fails by a slip, few words are looked at.

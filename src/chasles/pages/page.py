@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
@@ -23,7 +25,7 @@ from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.page_chapter import chapter_of
 from chasles.pages.page_equation import PageEquation
 from chasles.pages.premises import Premises
-from chasles.pages.quantities import quantity
+from chasles.pages.quantities import quantity, symbols_in
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
@@ -32,7 +34,7 @@ from chasles.reading.printed import PrintedEquation
 from chasles.reading.prose import Lead, lead_of
 from chasles.reading.reading import Part, ReadEquation, Reading
 from chasles.statements import Chapter, Claim
-from chasles.vocabulary import latex, walk
+from chasles.vocabulary import Node, Number, Rate, Symbol, latex, walk
 
 MOST_READINGS = 4
 """So many readings of one equation are decided."""
@@ -43,6 +45,7 @@ UNDECIDED = frozenset({"defined", "open"})
 """Where nothing else is said, it makes no difference how the equation is read."""
 Notes = Mapping[tuple[str, int], EquationNote]
 """What a person says of a relation, by the name of its equation and its part."""
+OF_TIME = re.compile(r"(?:\bd|\{ ?d ?\}|\\partial|\\dd) ?t\b|\( ?t ?\)")
 DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
 
 
@@ -133,6 +136,8 @@ def read_page(
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
             deduction.assume(part.left, part.right)
+    for time in _times(printed, sides):
+        deduction.assume(Rate(time), Number(Fraction(1)))
     names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
     places: Counter[str] = Counter()
     relations = []
@@ -142,6 +147,7 @@ def read_page(
     named: dict[str, list[Claim]] = {}
     for name, claims in zip(names, relations, strict=True):
         named.setdefault(name, []).extend(claims)
+    defined = {claim.left for claims in relations for claim in claims}
     notes = notes_of(notation, named)
     found: list[PageEquation] = []
     leads = _leads(printed, names)
@@ -150,9 +156,16 @@ def read_page(
         first = relations[place][0].part if relations[place] else 1
         for nth, beside in enumerate(read_equations(equation.printed.beside, notation), 1):
             for reading in beside.readings[:1]:
-                deduction.say_beside(_relations(reading, f"{name} under a brace", nth))
+                claims = _relations(reading, beside.printed.label or f"{name} under a brace", nth)
+                deduction.say_beside(each for each in claims if not beside.printed.label or each.left not in defined)
         found += _decided(equation, name, first, notes, deduction, ahead, leads[place])
     return ReadPage(tuple(replace(each, finding=deduction.settled(each.finding)) for each in found), file)
+
+
+def _times(printed: Sequence[PrintedEquation], sides: Iterable[Node]) -> Iterator[Symbol]:
+    """The letter t, where the page differentiates by it, or has functions of it: its own rate is one."""
+    if any(OF_TIME.search(each.latex) for each in printed):
+        yield from {symbol for symbol in symbols_in(sides) if symbol.letter == "t" and not symbol.constant}
 
 
 def _leads(printed: Sequence[PrintedEquation], names: Sequence[str]) -> list[Lead]:

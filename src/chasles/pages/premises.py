@@ -126,9 +126,14 @@ class Premises:
         return tuple(self.posed[place] for place in chosen)
 
     def at_rest(self, sides: Iterable[Node], rules: Rules) -> tuple[PosedEquation, ...]:
-        """That each symbol is constant of which a rate remains once rules are applied, and none is on the page."""
+        """That each symbol is constant of which a rate remains once rules are applied, and none is on the page.
+
+        Nothing if the page says of one of them what it is.
+        """
         found = sorted((each for side in sides for each in _remaining(side, rules)), key=str)
         still = dict.fromkeys(symbol for symbol, order in found if order and symbol not in self.moving)
+        if still.keys() & {symbol for symbol, _ in self.defined()}:
+            return ()
         for symbol in still.keys() - self.resting.keys():
             sides = Rate(symbol), zero_of(symbol.shape)
             self.resting[symbol] = PosedEquation(posed(f"{plain(symbol)} is constant", *sides), *sides, open=False)

@@ -13,6 +13,7 @@ from chasles.reading.lexemes import BadPage, Token, spelled
 from chasles.reading.macros import MOST_WASTED, MacroTable, Source
 from chasles.reading.markup import PageBlock, fenced, indented, spaced
 from chasles.reading.mathjax_macros import configured_macros
+from chasles.reading.named_in_prose import with_names
 from chasles.reading.printed import PrintedEquation, PrintedPage, Remark
 from chasles.reading.tex_page import CLOSING, LONGEST_REMARK, MOST_CHARACTERS, Included, TexPage
 
@@ -69,7 +70,8 @@ def printed_page(
         page.display(Token(""), "", "", source)
     else:
         page.read(source)
-    return PrintedPage(tuple(page.found), tuple(_expanded(page.remarks, page.macros)))
+    remarks = tuple(_expanded(page.remarks, page.macros))
+    return PrintedPage(tuple(with_names(page.found, remarks)), remarks)
 
 
 def _expanded(remarks: Iterable[Remark], macros: MacroTable) -> Iterator[Remark]:

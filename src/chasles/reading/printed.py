@@ -12,11 +12,17 @@ from chasles.reading.lexemes import BadPage
 
 
 class Remark(NamedTuple):
-    """A formula in a line of prose, its macros expanded, with some text before it and behind it."""
+    """A formula in a line of prose, its macros expanded, with some text before it and behind it.
+
+    It `follows` so many equations, and `is_close` if it stands in the sentence of the last of these.
+    """
 
     before: str
     latex: str
     after: str
+    line: int = 1
+    follows: int = 0
+    is_close: bool = False
 
 
 @dataclass(frozen=True)
@@ -24,7 +30,7 @@ class PrintedEquation:
     """A displayed equation: its LaTeX with macros expanded, where it stands in the page, and what it is called there.
 
     `fault` says why a display cannot be split, if so; the rows of one have the number of their `display`, and the text
-    `before` it. What is named under a brace in it is said `beside`.
+    `before` it. What is named under a brace in it, or by the prose around it, is said `beside`.
     """
 
     latex: str

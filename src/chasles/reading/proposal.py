@@ -35,6 +35,8 @@ def proposed(equations: Sequence[PrintedEquation], remarks: Iterable[Remark] = (
     Of what a letter may be, that is taken with which more of the equations can be read; what the `remarks` in the prose
     say of it comes first.
     """
+    named = dict.fromkeys(each for equation in equations for each in equation.beside if each.label)
+    equations = [*equations, *named]
     texts = [_text_of(equation) for equation in equations]
     told = said_of_letters(remarks, "\n".join(texts))
     said = {letter: base_of(each) for letter, each in told.items()}

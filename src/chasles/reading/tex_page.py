@@ -9,6 +9,7 @@ from contextlib import suppress
 from chasles.reading.alignment import DisplayedEquation, equations_of, rows_of, states_relation
 from chasles.reading.lexemes import MOST_LEXEMES, BadPage, Token, spelled
 from chasles.reading.macros import DEFINING, MacroTable, Source
+from chasles.reading.named_in_prose import SEPARATE
 from chasles.reading.numbering import LEVELS, Numbering
 from chasles.reading.packages import ALWAYS, PACKAGES
 from chasles.reading.printed import PrintedEquation, Remark
@@ -54,7 +55,7 @@ class TexPage:
         self.numbering = Numbering()
         self.files: list[str] = []
         self.fences: list[str] = []
-        self.displays = 0
+        self.displays = self.ended = 0
         self.define(ALWAYS)
 
     def read(self, source: Source) -> None:
@@ -199,7 +200,10 @@ class TexPage:
         text, begin, source.at = source.text, source.at, end
         if end - begin < LONGEST_REMARK and len(self.remarks) < MOST_REMARKS:
             before, after = text[max(0, begin - opening - AROUND) : begin - opening], text[end : end + AROUND]
-            self.remarks.append(Remark(before, text[begin : end - closing], after))
+            between = text[self.ended : begin] if self.ended <= begin else ""
+            is_close = 0 < len(between) < AROUND and not SEPARATE.search(between)
+            place = source.place(begin)[0], len(self.found), is_close
+            self.remarks.append(Remark(before, text[begin : end - closing], after, *place))
 
     def display(self, opening: Token, opener: str, environment: str, source: Source) -> None:
         """Takes in the equations of a display; for a broken one its fault."""
@@ -211,7 +215,7 @@ class TexPage:
         self, raw: list[Token], fault: BadPage | None, opening: Token, environment: str, source: Source, label: str = ""
     ) -> None:
         """Takes in the equations of a display whose content is known."""
-        self.displays += 1
+        self.displays, self.ended = self.displays + 1, source.at
         before = source.before(opening, LEADING)
         is_numbered = self.counts and not UNNUMBERED.match(environment)
         rows = rows_of(raw, bool(ROW_NUMBERED.match(environment)))
