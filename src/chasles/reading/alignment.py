@@ -210,12 +210,31 @@ def _lines(atoms: list[Atom], environment: str) -> Iterator[tuple[list[Atom], bo
         is_system = is_system or (not has_brace and bool(bare) and all(map(_relations, bare)))
         if WRAPPERS.fullmatch(name) or is_system:
             inside, environment = whole[-1].arguments[0], name
+    elif (place := next((at for at, each in enumerate(whole) if _aligns_equations(each)), -1)) >= 0:
+        inside, environment = _spliced(whole, place) or inside, whole[place].text
     rows = _rows(inside)
     if inside is atoms and len(rows) < 2:
         yield (rows or [[]])[0], bool(PAIRED.fullmatch(environment))
     else:
         for row in rows:
             yield from _lines(row, environment)
+
+
+def _aligns_equations(atom: Atom) -> bool:
+    """Whether it is an environment with a relation in each row, as a whole."""
+    is_wrapper = atom.kind == "GRID" and not atom.is_marked and bool(WRAPPERS.fullmatch(atom.text))
+    return is_wrapper and all(map(_relations, _rows(atom.arguments[0])))
+
+
+def _spliced(atoms: list[Atom], place: int) -> list[Atom]:
+    """Its rows with what stands before the environment and behind it; nothing where they go on with a sign."""
+    before, behind = atoms[:place], atoms[place + 1 :]
+    if before and _is_open(before):
+        return []
+    behind = behind[1:] if behind and behind[0].kind == "CLOSE" else behind
+    end, gap = (single(atoms[place].place._replace(text=sign)) for sign in (ROW_END[0], r"\quad"))
+    inside = [*before, end if _relations(before) else gap, *atoms[place].arguments[0]]
+    return [*inside, *([gap] if behind and behind[0].kind != "RELATION" else []), *behind]
 
 
 def _without_alignment(line: list[Atom], is_paired: bool) -> list[Atom]:
