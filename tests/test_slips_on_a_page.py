@@ -124,10 +124,17 @@ $$R R = 1$$
 $$q = p - m a$$
 $$H = \frac{p}{m} \cdot p - g m = \frac{\|q\|^2}{m} - g m$$
 $$x = y + z = y + h$$
+$$T = \begin{bmatrix} R & a \\ 0 & 1 \end{bmatrix}$$
+$$T^{-1} = \begin{bmatrix} R & -R^T a \\ 0 & 1 \end{bmatrix}$$
 """
-    letters = {"R": "rotation", **dict.fromkeys("noapq", "vector"), **dict.fromkeys("Hgmxyzh", "scalar")}
+    letters = {
+        "R": "rotation",
+        "T": {"is": "matrix", "shape": [4, 4]},
+        **dict.fromkeys("noapq", "vector"),
+        **dict.fromkeys("Hgmxyzh", "scalar"),
+    }
     found = read(page, {"symbols": letters}).equations
     wrong = [each for each in found if each.verdict == "fails"]
-    assert [each.line for each in wrong] == [3, 5]
+    assert [each.line for each in wrong] == [3, 5, 8]
     assert wrong[0].finding
     assert "R is a rotation" in wrong[0].finding.against

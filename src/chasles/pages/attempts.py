@@ -167,8 +167,9 @@ def known_of(claim: Claim, premises: Premises) -> Iterator[Known]:
     known = premises.restricting(free_quantities(claim.printed, deep), deep)
     posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
     first = chosen_rules(sides_of(claim, posed), defined), posed
-    if any(map(premises.facts, symbols_in(claim.printed))) and any(first):
-        yield {}, ()
+    if any(premises.facts(symbol) for symbol, _ in first[0]):
+        of_no_kind = {key: rule for key, rule in defined.items() if not premises.facts(key[0])}
+        yield chosen_rules(claim.printed, of_no_kind), ()
     yield first
     table = {**defined, **premises.proved, **premises.opened_here}
     deep = chosen_rules(claim.printed, table)
