@@ -18,7 +18,7 @@ from . import declared, functions, motions, scalars
 from .asking import Answer, answer_of, ask_statement
 from .assumed import ASSUMED
 from .declared_words import named
-from .equations import Equation
+from .equations import TIME, Equation
 from .forging import needs_forged
 from .judging import Alarm, Judged, judge
 from .statement_judging import judge_statement
@@ -212,6 +212,24 @@ def integers_that_are_put_in(draw: Random) -> Judgement:
     return said, Judged(answer, None if answer.name in names else Alarm("wrong", answer.name))
 
 
+def what_lasts_for_an_instant(draw: Random) -> Judgement:
+    """What is not zero only where something vanishes, times a rate: no rate follows of what holds at an instant."""
+    one, other = (sp.Function(name, real=True)(TIME) for name in "xy")
+    rate_of = draw.choice((one.diff(TIME), one.diff(TIME) * 2 - 1, one.diff(TIME) ** 2, other.diff(TIME)))
+    zero = draw.choice((one, one - 1, one - other**3, TIME, one + 2 * TIME, 2 * one * (other - 3)))
+    only_there = draw.choice((
+        1 - sp.sign(zero) ** 2, sp.Heaviside(-Abs(zero), 1), sp.Piecewise((1, Eq(zero, 0)), (0, True)),
+        sp.Piecewise((0, sp.Ne(zero, 0)), (1, True)), 1 - sp.sign(Abs(zero)),
+    ))  # fmt: skip
+    given = draw.choice(((), (), (Eq(other, one + 5),), (Eq(other, one**3 + one - 7),)))
+    true = draw.random() < 0.3
+    left = only_there * rate_of * (zero if true else 1) + one
+    answer = answer_of(lambda: prove(left, one, given=given))
+    apart = any(need.endswith(" != 0") for need in answer.needs)
+    right = answer.true is (true or apart) or answer.name in ("undecided", "untreatable")
+    return f"{left} = {one} where {given}", Judged(answer, None if right else Alarm("wrong", answer.name))
+
+
 CLASSES: dict[str, Callable[[Random], Judgement]] = {
     make.__name__.replace("_", " "): make
     for make in (
@@ -227,6 +245,7 @@ CLASSES: dict[str, Callable[[Random], Judgement]] = {
         derivatives_in_any_order,
         sums_up_to_a_letter,
         integers_that_are_put_in,
+        what_lasts_for_an_instant,
         *ASSUMED,
     )
 }
