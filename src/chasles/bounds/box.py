@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from chasles.bounds.intervals import SAFE, Array, Interval, below
+from chasles.bounds.intervals import SAFE, Array, Interval, below, halves
 from chasles.bounds.model import Model, precision
 from chasles.bounds.outline import NoBound, Outline, with_cases
 from chasles.bounds.places import Scaled
@@ -158,7 +158,8 @@ class _Search:
             found = most if found is None else np.maximum(found, most)
             if done.all():
                 break
-            lows, highs = _halved(lows[~done], highs[~done], whole)
+            lows, highs = lows[~done], highs[~done]
+            lows, highs = halves(lows, highs, (highs - lows) / whole)
         entries = sum(len(result.entries) for result in self._outline.program.results)
         if not np.isfinite(found[:entries]).all():
             raise NoBound(self._why(low, high, whole))
@@ -210,7 +211,8 @@ class _Search:
             if not len(rows):
                 break
             last = lows[rows[0]], highs[rows[0]], int(running.why[rows[0]])
-            lows, highs = _halved(lows[rows[:1]], highs[rows[:1]], whole)
+            lows, highs = lows[rows[:1]], highs[rows[:1]]
+            lows, highs = halves(lows, highs, (highs - lows) / whole)
         steps, names = self._outline.program.steps, self._outline.program.arguments
         why = WHY.get(steps[last[2]].op, "numbers are too large") if last[2] >= 0 else "numbers are too large"
         where = [
@@ -218,13 +220,3 @@ class _Search:
             for (a, entry), x, y in zip(self._places, *last[:2], strict=True)
         ]
         return f"{why}, {', '.join(where)}"
-
-
-def _halved(lows: Array, highs: Array, whole: Array) -> tuple[Array, Array]:
-    """Both halves of every box, across the side that is the largest part of the whole box's."""
-    rows = np.arange(len(lows))
-    side = np.argmax((highs - lows) / whole, axis=1)
-    middle = (lows[rows, side] + highs[rows, side]) / 2
-    first, second = highs.copy(), lows.copy()
-    first[rows, side], second[rows, side] = middle, middle
-    return np.concatenate((lows, second)), np.concatenate((first, highs))

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chasles.bounds.cover import Cover, Region
-from chasles.bounds.intervals import Array, Interval
+from chasles.bounds.intervals import Array, Interval, halves
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
 from chasles.bounds.pieces import AnglePiece, FacePiece, face_values
@@ -62,13 +62,8 @@ class Boxes:
 
     def halved(self, scales: Array) -> Boxes:
         """Both halves of every box, across its widest side."""
-        rows = np.arange(len(self.owner))
-        side = np.argmax((self.high - self.low) * scales, axis=1)
-        middle = (self.low[rows, side] + self.high[rows, side]) / 2
-        low, high = self.low.copy(), self.high.copy()
-        high[rows, side], low[rows, side] = middle, middle
-        twice = self.kept(np.concatenate((rows, rows)))
-        return replace(twice, low=np.concatenate((self.low, low)), high=np.concatenate((high, self.high)))
+        low, high = halves(self.low, self.high, (self.high - self.low) * scales)
+        return replace(self.kept(np.tile(np.arange(len(self.owner)), 2)), low=low, high=high)
 
 
 def bounds_over(

@@ -119,6 +119,15 @@ class Interval:
         return Interval(np.minimum(*ends), np.maximum(*ends))
 
 
+def halves(low: Array, high: Array, widths: Array) -> tuple[Array, Array]:
+    """The ends of both halves of every box, a row each, across its widest side: all lower halves, then the others."""
+    rows, side = np.arange(len(low)), np.argmax(widths, axis=1)
+    middle = (low[rows, side] + high[rows, side]) / 2
+    first, second = high.copy(), low.copy()
+    first[rows, side], second[rows, side] = middle, middle
+    return np.concatenate((low, second)), np.concatenate((first, high))
+
+
 def below(x: Array) -> Array:
     """Lower bounds of absolute values that were computed with rounding."""
     return x * (2 - SAFE)

@@ -13,26 +13,13 @@ Raises:
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Any
 
 from chasles import kernels
 from chasles.checked.call import Checked
 
 _RECORD = "chasles.generated.numpy.hypotheses"
-
-
-def _recorded() -> dict[str, Any]:
-    try:
-        record: dict[str, Any] = import_module(_RECORD).KERNELS
-    except ModuleNotFoundError as error:
-        if error.name is None or not _RECORD.startswith(error.name):
-            raise
-        raise ImportError("no kernels were emitted; `chasles emit` writes them into generated/") from error
-    return record
-
-
-_KERNELS = _recorded()
+_KERNELS: dict[str, Any] = kernels.written_out(_RECORD).KERNELS
 _made: dict[str, Checked] = {}
 
 

@@ -31,12 +31,12 @@ _COMPILED = "chasles._kernels"
 _WRITTEN_OUT = "chasles.generated.numpy.kernels"
 
 
-def written_out() -> ModuleType:
-    """The module of the NumPy kernels; raises ImportError where none were emitted."""
+def written_out(name: str = _WRITTEN_OUT) -> ModuleType:
+    """The module of the NumPy kernels, or one that is emitted with it; raises ImportError where none were emitted."""
     try:
-        return import_module(_WRITTEN_OUT)
+        return import_module(name)
     except ModuleNotFoundError as error:
-        if error.name is None or not _WRITTEN_OUT.startswith(error.name):
+        if error.name is None or not name.startswith(error.name):
             raise
         raise ImportError("no kernels were emitted; `chasles emit` writes them into generated/") from error
 

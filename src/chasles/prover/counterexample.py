@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import islice
 
 from chasles.algebra.rings import Polynomial, Ring
@@ -13,7 +12,7 @@ from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.points import sampling as points
 from chasles.points.evaluation import Point, measured, ratio_at
-from chasles.points.search import UnreducedEntry
+from chasles.points.search import UnreducedEntry, height
 from chasles.problems.context import Context
 from chasles.problems.generators import entries
 from chasles.prover.conditions import Solved
@@ -84,7 +83,7 @@ def _easiest(
         if best is not None and fruitless > most:
             break
         for entry, names in zip(suspects, used, strict=True):
-            least = len(names) + 2 * sum(_height(point[name]) for name in names)
+            least = len(names) + 2 * sum(height(point[name]) for name in names)
             if best is not None and least >= best[0]:
                 continue
             found = _refuted(context, entry, point, names)
@@ -118,18 +117,6 @@ def transcendental_name(context: Context) -> str:
     if context.pi_measures or not context.transcendental:
         return "pi"
     return context.variables[min(context.transcendental)].name
-
-
-def _height(value: Fraction) -> int:
-    """How much there is to calculate with: nothing for zero, little for one."""
-    return (
-        0
-        if value == 0
-        else 1
-        + 2 * (abs(value) != 1)
-        + len(str(value.numerator))
-        + 3 * (len(str(value.denominator)) if value.denominator != 1 else 0)
-    )
 
 
 def _used_by_each(

@@ -20,7 +20,7 @@ from chasles.statements import Goal, Problem
 from chasles.verdict import Counterexample
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Frame", "Search", "UnreducedEntry"]
+__all__ = ["Frame", "Search", "UnreducedEntry", "height"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
@@ -148,7 +148,7 @@ class Search:
         except ValueError:
             return None
         at = _coordinates(system, values)
-        cost = sum(map(_height, at.values())) + sum(map(len, texts))
+        cost = sum(map(height, at.values())) + sum(map(len, texts))
         return cost, Counterexample(at, (row, column), texts[0], texts[1], suspect.goal.label)
 
     def _whole(self, context: Context, values: Values, side: Node, place: tuple[int, int], theta: str) -> str:
@@ -174,8 +174,8 @@ def _coordinates(system: ConstraintSystem, values: Values) -> dict[str, Any]:
     return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
 
 
-def _height(value: Fraction | SurdSum) -> int:
-    """How much work a person has with a number."""
+def height(value: Fraction | SurdSum) -> int:
+    """How much work a person has with a number: none with zero, little with one."""
     if isinstance(value, SurdSum):
         return 8 * len(value.terms)
     if value == 0:
