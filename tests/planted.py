@@ -23,6 +23,7 @@ from chasles.deciding import decided
 from chasles.decisions.session import Session
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import Chapter, Claim, Statement, load, problem_of
+from chasles.statements.premises import with_all_premises
 from chasles.verdict import Fails
 from chasles.vocabulary import Block, Misfit, Negative, Node, Number, Scale, Sum, children, plain
 from chasles.vocabulary.sizes import sizes_of
@@ -124,9 +125,11 @@ def outcome_of(case: Planted, chapter: Chapter, session: Session) -> Outcome:
     statements = [entry.statement for entry in chapter]
     before = [s for s in statements[: statements.index(case.original)] if isinstance(s, Statement)]
     started = process_time()
-    repairs = repair(case.mutant.statement, session.accepted, context=before)
+    posed = case.mutant.statement, with_all_premises(case.mutant.statement, session.accepted)  # as a session searches
+    found = (repair(said, session.accepted, context=before) for said in dict.fromkeys(posed) if isinstance(said, Claim))
+    repairs: tuple[Repair, ...] = next(filter(None, found), ())
     seconds = process_time() - started
-    same = (k for k, found in enumerate(repairs) if _says(found, case))
+    same = (k for k, each in enumerate(repairs) if _says(each, case))
     return Outcome(case, repairs, next(same, None), seconds)
 
 

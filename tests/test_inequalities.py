@@ -101,6 +101,8 @@ TRUE = [
         claim(y / (1 + x) + y / (1 - 2 * x), y * (2 - x) / ((1 + x) * (1 - 2 * x)), *BETWEEN),
         ("1 + x != 0", "1 - 2 x != 0"),
     ),
+    (claim(abs(x) + y, y, I(x >= 0), I(x <= 0)), ("x >= 0", "x <= 0")),
+    (claim(abs(x * y) + abs(x - y), x * y + x - y, I(x * y > 0), I(x - y > 0)), ("x y > 0", "x - y > 0")),
     (claim(tan(t), sin(t) / cos(t), I(t > 0), I(t < PI / 2)), ("t > 0", "t < pi / 2")),
     (
         claim(sqrt(1 + tan(t) ** 2), 1 / cos(t), I(t > -PI / 2), I(t < PI / 2)),

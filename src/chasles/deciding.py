@@ -95,11 +95,12 @@ def _said(texts: tuple[str, ...], question: ScalarQuestion) -> Iterator[str]:
     """Which hypothesis says what SymPy spells; what none says is spelled as in the chapter, conditions are given."""
     from chasles.checker.expressions.scalars import spelled
 
+    free = {quantity: value for quantity, value in question.values.items() if value.free_symbols}
     for text in texts:
         if text in question.sources:
             yield from filter(None, question.sources[text])
         else:
-            yield from map(spelled, _of_quantities(text, question.values) if question.values else (text,))
+            yield from map(spelled, _of_quantities(text, free) if free else (text,))
 
 
 def _of_quantities(text: str, values: Mapping[Any, Any]) -> Iterator[str]:

@@ -16,6 +16,7 @@ from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.functions import FunctionOf, Relation, sign
 
 PRINTED = {"<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
+SAID = {"-": "minus", "+": "plus", "/": "over", "^": "to", ".": "dot"}
 ZERO = w.Number(Fraction(0))
 
 
@@ -36,7 +37,8 @@ def inequality(relation: Relation) -> Hypothesis:
     """The relation holds: the difference is the square of a number, which is not zero where they are not equal."""
     difference = _difference(relation)
     text = str(relation)
-    name = "root_of_" + re.sub(r"\W+", "_", w.plain(difference)).strip("_")
+    named = re.sub("[-+/^.]", lambda sign: f" {SAID[sign[0]]} ", w.plain(difference))
+    name = "root_of_" + re.sub(r"\W+", "_", named).strip("_")
     root = w.Symbol(
         name, rf"\sqrt{{{w.latex(difference)}}}", w.uniform((1, 1), None), f"the root of {w.plain(difference)}"
     )

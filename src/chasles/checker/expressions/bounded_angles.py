@@ -43,15 +43,15 @@ class Bounds:
         self.texts = (*self.texts, text)
 
     def value(self, quantity: Any, spoken: Iterable[Any], fresh: Callable[..., Any]) -> Any:
-        """An expression whose values are all between the bounds; None where these leave no room, or it is not simple.
-
-        A sine or a tangent of a whole angle does not tell the sign of one of its half.
-        """
-        after, before = self.strictly_above, self.strictly_below
-        if not (self.high - self.low).is_finite or self.low >= self.high:
+        """An expression whose values are all between the bounds; None where it is not simple, or there is no room."""
+        after, before, room = self.strictly_above, self.strictly_below, self.high - self.low
+        if not room.is_finite or room < 0 or (room == 0 and (after or before)):
             return None
+        if room == 0:
+            return self.low * self.unit
         if self.unit == 1:
             return ratio(self.low, self.high, after, before, fresh)
+        # A sine or a tangent of a whole angle does not tell the sign of one of its half.
         turns = [call.args[0] for e in spoken for call in e.atoms(*CIRCULAR)]
         halves = any(turn.coeff(quantity).is_Rational and turn.coeff(quantity).q % 2 == 0 for turn in turns)
         part = sp.S.Half if halves else sp.S.One
