@@ -155,7 +155,7 @@ def test_at_the_limit_itself_all_have_values(kernel):
     [
         *(sp.sin(x) / x**2, sp.cos(x) / x, 1 / sp.sin(x), sp.sin(y) / x, sp.sin(x + y) / x, sp.sin(x) / (x + y), 1 / x),
         *(sp.exp(x) / x, sp.sinh(x) / x**2, sp.log(1 + y) / x, sp.coth(x), (sp.exp(x) - 1 - y) / x),
-        *(1 / (sp.erf(y) - 2) / x, sp.cos(sp.atan2(0, y)) / x),
+        *(1 / (sp.erf(y) - 2) / x, sp.cos(sp.atan2(0, y)) / x, 1 / sp.Max(0, x + sp.sqrt(y))),
     ],
     ids=str,
 )
@@ -169,6 +169,9 @@ def test_away_from_a_limit_a_formula_is_as_it_stands():
     kernel = chasles.compile([sp.tanh(x) / x, 1 / x - 1 / (sp.exp(x) - 1), sp.coth(x) - 1 / x], [x])
     assert kernel(1000.0) == (1 / 1000, 1 / 1000, 1 - 1 / 1000)
     assert kernel(-1000.0) == (1 / 1000, 1 - 1 / 1000, 1 / 1000 - 1)
+    turned = chasles.compile([2 * sp.atan2(r, y) / r, sp.acos(z) / sp.sqrt(1 - z**2)], [x, y, z])
+    assert turned(3.0, 0.0, 0.0) == pytest.approx((math.pi / 3, math.pi / 2))
+    assert turned(0.6, -0.8, 0.0)[0] == pytest.approx(2 * math.atan2(1.0, -0.8))
     around = chasles.compile(sp.atan2(x, y) / x, [x, y])
     assert [around(1e-9, y) for y in (1.0, -1.0)] == [1.0, math.atan2(1e-9, -1.0) / 1e-9]
 
@@ -184,6 +187,14 @@ def test_on_both_sides_of_a_root():
             terms = [(-mpmath.mpf(at)) ** n / mpmath.factorial(2 * n + 2) for n in range(60)]
             slopes = [-n * (-mpmath.mpf(at)) ** (n - 1) / mpmath.factorial(2 * n + 2) for n in range(1, 60)]
         assert kernel(at) == pytest.approx((float(sum(terms)), float(sum(slopes))), rel=4e-15)
+
+
+def test_the_functions_of_stumpff_in_three_cases():
+    up, down = sp.sqrt(x), sp.sqrt(-x)
+    cases = ((up - sp.sin(up)) / up**3, x > 0), ((sp.sinh(down) - down) / down**3, x < 0), (R(1, 6), True)
+    found = chasles.compile(sp.Piecewise(*cases), [x])(np.array([0.7, 0.0, -0.7, 30.0, -30.0]))
+    exact = [sum((-at) ** n / math.factorial(2 * n + 3) for n in range(40)) for at in (0.7, 0.0, -0.7, 30.0, -30.0)]
+    np.testing.assert_allclose(found, exact, rtol=1e-14)
 
 
 def test_a_logarithm_of_one_and_an_exponential_does_not_overflow():
@@ -391,6 +402,9 @@ def test_what_grows_beyond_all_bounds_is_no_part_of_what_does_not(monkeypatch):
     assert not values[-4:].any()
     assert slopes[-4].tolist() == [0.0, 0.0, 0.0]
     assert slopes[-2][1] == np.inf
+    with np.errstate(all="ignore"):
+        assert made(np.inf, np.inf, 1.0)[0][3:5].tolist() == [np.inf, np.inf]
+        assert made(-np.inf, -np.inf, 1.0)[0][3:5].tolist() == [-np.inf, 0.0]
 
 
 def test_any_number_of_points_may_meet(monkeypatch):

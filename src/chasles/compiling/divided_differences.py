@@ -38,8 +38,8 @@ class DividedDifferences:
         """The expression with the point for the symbol."""
         try:
             return expression.xreplace(self._at)
-        except TypeError:
-            # SymPy asks for the sign of what has no value.
+        except (TypeError, ValueError):
+            # SymPy asks for the sign, or the larger, of what has no value.
             return sympy.nan
 
     def vanish(self, expression: Any) -> bool:

@@ -74,7 +74,13 @@ class PowerTimesLog(sympy.Function):  # type: ignore[misc]
 
 
 class HeldLargest(sympy.Function):  # type: ignore[misc]
-    """The largest of some numbers, which is taken for a constant in derivatives: on it nothing depends in the end."""
+    """The largest of some numbers, zero where it is infinite; a constant in derivatives: nothing depends on it."""
+
+    is_real = True
+
+
+class Apart(sympy.Function):  # type: ignore[misc]
+    """The difference of two numbers, zero where both are the same infinity."""
 
     is_real = True
 
@@ -130,7 +136,8 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.Mod: partial(_remainder, build),
         sympy.sign: partial(_sign, build),
         sympy.Heaviside: partial(_unit_step, build),
-        HeldLargest: lambda *many: build.held(reduce(lambda a, b: build.select(build.less(a, b), b, a), many)),
+        HeldLargest: partial(_held_largest, build),
+        Apart: partial(_apart, build),
         sympy.Max: lambda *many: _extreme(build, many, largest=True),
         sympy.Min: lambda *many: _extreme(build, many, largest=False),
         cfunctions.Sqrt: build.square_root,
@@ -198,6 +205,16 @@ def _arcsine(build: Builder, a: int) -> int:
 
 def _arccosine(build: Builder, a: int) -> int:
     return build.arctangent2(_leg(build, a), a)
+
+
+def _held_largest(build: Builder, *many: int) -> int:
+    most = reduce(lambda a, b: build.select(build.less(a, b), b, a), many)
+    return build.held(build.select(build.equal(build.subtract(most, most), build.zero), most, build.zero))
+
+
+def _apart(build: Builder, a: int, b: int) -> int:
+    difference = build.subtract(a, b)
+    return build.rate_by(build.select(build.equal(a, b), build.zero, difference), (difference, build.one))
 
 
 def _divided_exponential(build: Builder, points: list[int]) -> int:

@@ -16,7 +16,7 @@ import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 
 from chasles.compiling.angles import KEPT, KNOWN, angle_of, parts_of_kinds, square_of
-from chasles.compiling.elementary import HeldLargest, PowerTimesLog
+from chasles.compiling.elementary import Apart, HeldLargest, PowerTimesLog
 from chasles.compiling.near_zero import without_cancellation
 from chasles.compiling.taylor import NearZero, WholeChoice
 from chasles.compiling.variables import HELD
@@ -157,6 +157,8 @@ class _Exponentials:
             return
         self._apart = exponents[1] - exponents[0]
         self._are_far = _is_far(self._apart, far)
+        if 0 not in exponents:
+            self._apart = Apart(exponents[1], exponents[0])
         if len(exponents) == 2:
             self._less = sympy.Piecewise((-self._apart, self._apart > 0), (self._apart, True))
             self.small = sympy.exp(self._less)

@@ -84,10 +84,14 @@ def _cancelled(product: sympy.Mul) -> Any:
         if isinstance(case, NearZero):
             (left, near), (stated, _) = case.args
             rest = _cofactor(product, case)
-            found = rest * left
-            if divisors(sympy.Mul.make_args(rest)) - divisors(sympy.Mul.make_args(found)):
-                return NearZero((found, near), (rest * stated, True), evaluate=False)
+            cases = [(found, rest * found) for found in (left, stated)]
+            if any(_divisors(rest, found) - _divisors(whole) for found, whole in cases):
+                return NearZero((cases[0][1], near), (cases[1][1], True), evaluate=False)
     return product
+
+
+def _divisors(*products: Any) -> set[Any]:
+    return divisors(factor for product in products for factor in sympy.Mul.make_args(product))
 
 
 def _of_roots(total: sympy.Add) -> Any:

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy
 from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.core.relational import Relational
 
 from chasles.compiling.angles import (
     KNOWN,
@@ -89,6 +90,9 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
 
 def _as_symbol(stated: sympy.Basic, angle: sympy.Expr) -> Any:
     """The expression in a symbol for the angle, and the way back; None where nothing is divided by that vanishes."""
+    # What is asked of signs is not asked of the symbol.
+    conditions = {part: sympy.Dummy() for part in parts_of(stated, ()) if isinstance(part, Relational)}
+    stated, again = Substitution(conditions).of(stated), {dummy: part for part, dummy in conditions.items()}
     square, parts = square_of(angle), parts_of(stated, ())
     divided, is_root = divisors(parts), angle != square and angle.is_Pow and angle.exp == sympy.S.Half
     if is_root and not square.is_Add:
@@ -98,15 +102,15 @@ def _as_symbol(stated: sympy.Basic, angle: sympy.Expr) -> Any:
         # Where there is the root there is none of the opposite.
         held = {part: sympy.Dummy(real=True) for part in parts if part.is_Pow and part.base == -square}
         table = {known: NORM**2 if known == square else -(NORM**2), **held}
-        back = {NORM: angle, **{dummy: part for part, dummy in held.items()}}
+        back = {NORM: angle, **again, **{dummy: part for part, dummy in held.items()}}
         return Substitution(table).of(stated), Substitution(back).of
     whole = WholeAngle(square if is_root else angle)
     if not whole.occurs_in(divided):
         return None
     inner = whole.of(stated)
     if is_root:
-        return Substitution({whole.symbol: NORM**2}).of(inner), Substitution({NORM: angle}).of
-    return inner, whole.back
+        return Substitution({whole.symbol: NORM**2}).of(inner), Substitution({NORM: angle, **again}).of
+    return inner, lambda found: Substitution(again).of(whole.back(found))
 
 
 def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], stated: sympy.Basic) -> Any:

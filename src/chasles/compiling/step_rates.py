@@ -79,6 +79,9 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
             divisor = build.add(build.multiply(above, above), build.multiply(below, below))
         case Op.ARCTANGENT2:
             terms, divisor = [(a, b), (b, build.negate(a))], build.add(build.multiply(a, a), build.multiply(b, b))
+        case Op.FUNCTION if step.function in ("log", "log1p"):
+            # Divided at the end it is a quotient, whose own slope keeps its digits.
+            terms, divisor = [(a, build.one)], a if step.function == "log" else build.add(a, build.one)
         case Op.FUNCTION:
             terms = _terms_of_function(build, number, step, changing)
         case _:
