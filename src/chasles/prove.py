@@ -88,9 +88,9 @@ def prove(
         said = _said(exact, lhs, rhs, given, nonzero)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
-        decide = verdict_at_any_size if of_any_size else _decided_or_by_induction
         with within(seconds=budget):
-            verdict, asked = _first_decided(decide, [said] if of_any_size else _readings(calls.said), calls)
+            ways = [(verdict_at_any_size, said)] if of_any_size else zip(WAYS, _readings(calls.said), strict=False)
+            verdict, asked = _first_decided(ways, calls)
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
     except FAILURES as error:
@@ -116,10 +116,10 @@ def _readings(said: Said) -> Iterator[Said]:
         yield other
 
 
-def _first_decided(decide: Callable[..., Verdict], readings: Iterable[Said], calls: Calls) -> tuple[Verdict, Said]:
+def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: Calls) -> tuple[Verdict, Said]:
     """The first reading that is decided, and the verdict; or what is said of the first one."""
     left: list[tuple[Verdict | Untreatable, Said]] = []
-    for asked in readings:
+    for decide, asked in ways:
         try:
             with within(EFFORT):
                 verdict = decide(*asked)
@@ -159,6 +159,17 @@ def _decided_or_by_induction(*asked: Any) -> Verdict:
         return _followed(found, asked)
     found = by_induction(asked, _verdict) if isinstance(verdict, Undecided) else None
     return verdict if found is None else _followed(found, asked)
+
+
+def _proved_by_cases(*asked: Any) -> Verdict:
+    """The verdict if it is proved by cases; nothing is refuted."""
+    lhs, rhs, given, nonzero = asked
+    splitting = Splitting(lhs, rhs, given, nonzero, _answered)
+    return _followed(splitting.verdict(refuting=False), asked) if splitting.possible else Undecided("no one shape")
+
+
+WAYS = _decided_or_by_induction, _proved_by_cases
+"""How the first reading of inequalities is decided, and the second."""
 
 
 def _verdict(*asked: Any) -> Verdict:

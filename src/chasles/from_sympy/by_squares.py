@@ -25,7 +25,7 @@ from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import certified
 from chasles.prover.decide import open_entries
-from chasles.verdict import Verdict
+from chasles.verdict import Undecided, Verdict
 
 EFFORT = 2e6
 """The work that the search for squares may take, in products of terms."""
@@ -38,11 +38,11 @@ Weighed = tuple[Polynomial, Polynomial, bool]
 
 def by_squares(decide: Callable[[Question], Verdict]) -> Callable[[Question], Verdict]:
     """The decision that looks for such squares first."""
-    return lambda question: _refuted_by_squares(question) or decide(question)
+    return lambda question: decide(question) if (found := _refuted_by_squares(question)) is None else found
 
 
 def _refuted_by_squares(question: Question) -> Verdict | None:
-    """The verdict that the claim follows, as nothing satisfies what is given; None where that is not seen."""
+    """The verdict that the claim follows, as nothing satisfies what is given; None where it follows by itself."""
     try:
         with within(min(EFFORT, remaining() / 4)):
             context = build(question.problem)
@@ -52,10 +52,10 @@ def _refuted_by_squares(question: Question) -> Verdict | None:
                 return None
             stated = [generator.polynomial for generator in context.generators]
             found = _impossible(context.field.ring, basis, stated, known_signs(question, context))
-    except (OutOfTime, Untreatable, UndeclaredDivisor):
-        return None
+    except (OutOfTime, Untreatable, UndeclaredDivisor) as error:
+        return Undecided(str(error))
     if found is None or question.search.write is None:
-        return None
+        return Undecided("no squares were found that add up to what cannot be")
     for entry in entries:
         entry.cofactors = dict(found.cofactors)
     write = partial(question.search.write, impossible=found)

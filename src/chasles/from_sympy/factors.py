@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import sympy
@@ -58,8 +59,9 @@ def _parts(base: Any) -> list[tuple[Any, int]]:
     if base.is_Add and base.count_ops() <= MOST_OPERATIONS:
         base = sympy.expand(base)
     if base.is_Add and base.count_ops() <= MOST_OPERATIONS:
-        content, rest = sympy.factor_list(base)
-        return [*rest, (content, 1)]
+        with suppress(sympy.PolynomialError):
+            content, rest = sympy.factor_list(base)
+            return [*rest, (content, 1)]
     if base.is_Mul:
         return [(part.base, int(part.exp)) if part.is_Pow and part.exp.is_Integer else (part, 1) for part in base.args]
     return [(sympy.Integer(base.p), 1), (sympy.Integer(base.q), -1)] if base.is_Rational else [(base, 1)]

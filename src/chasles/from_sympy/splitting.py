@@ -102,7 +102,7 @@ class Splitting:
         """Whether the question is also treated as a whole."""
         return not self._switched(tuple(kind for kind in UNREADABLE if kind is not sympy.sign))
 
-    def verdict(self) -> Verdict:
+    def verdict(self, refuting: bool = True) -> Verdict:
         """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
         whole = self._whole
         still = not any(e.has(AppliedUndef) for pair in whole.pairs for e in pair)
@@ -114,7 +114,7 @@ class Splitting:
         tree = self._proved(whole) if switched else self._decided(whole)
         if tree is None and not switched and whole.switches():
             tree = self._proved(whole)
-        found = None if tree else sampling.counterexample() or self._refuted()
+        found = None if tree or not refuting else sampling.counterexample() or self._refuted()
         if tree is None and found is None:
             self.needs, factors = {**before}, thresholds(whole)
             tree = self._proved(whole, factors) if factors else None
