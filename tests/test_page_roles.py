@@ -223,3 +223,8 @@ $$ B = A^{-1} R $$
     assert [each.verdict for each in found] == ["defined", "holds-under", "open", "holds-under", "holds-under"]
     assert found[2].finding
     assert found[2].finding.instead
+
+
+def test_a_letter_t_that_is_no_number_is_not_the_time() -> None:
+    page = r"$$x(t) = t \cdot t$$ $$\frac{dx}{dt} = \dot{x}$$"
+    assert [each.verdict for each in chasles.read(page, {"symbols": {"x": "scalar", "t": "vector"}}).equations]

@@ -163,9 +163,10 @@ def read_page(
 
 
 def _times(printed: Sequence[PrintedEquation], sides: Iterable[Node]) -> Iterator[Symbol]:
-    """The letter t, where the page differentiates by it, or has functions of it: its own rate is one."""
+    """The letter t, a number where the page differentiates by it, or has functions of it: its own rate is one."""
     if any(OF_TIME.search(each.latex) for each in printed):
-        yield from {symbol for symbol in symbols_in(sides) if symbol.letter == "t" and not symbol.constant}
+        found = {symbol for symbol in symbols_in(sides) if symbol.letter == "t" and not symbol.constant}
+        yield from (symbol for symbol in found if symbol.is_scalar)
 
 
 def _leads(printed: Sequence[PrintedEquation], names: Sequence[str]) -> list[Lead]:
