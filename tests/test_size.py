@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Abs, I, Max, Rational, Sum, Symbol, arg, ceiling, floor, symbols
+from sympy import Abs, Add, I, Max, Rational, Sum, Symbol, arg, ceiling, floor, symbols
 
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Fails, Holds
@@ -23,6 +23,7 @@ n = Symbol("n", integer=True, positive=True)
         (x**1000 - 1 > 0, None, Fails),
         (Abs((x + I * y) ** 31), Abs(x + I * y) ** 31, Holds),
         (arg((x + I * y) ** 12), 0, Fails),
+        (Add(*(Abs(x - j) for j in range(9))) >= 20, None, Holds),
     ],
     ids=lambda case: str(case)[:30],
 )

@@ -8,7 +8,10 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.signs import SignedReading, is_nonnegative
-from chasles.checker.sparse import Polynomial, Rejected
+from chasles.checker.sparse import Polynomial, Rejected, limited
+
+MOST_PRODUCTS = 100_000
+"""So many products of terms are formed for one sign: completed squares in sums of roots have no other bound."""
 
 
 class _Signs(SignedReading):
@@ -28,6 +31,6 @@ class _Signs(SignedReading):
 def sees_nonnegative(expression: Any) -> bool:
     """Whether the checker sees by itself that a real expression is not negative."""
     reading = _Signs()
-    with suppress(Rejected):
+    with suppress(Rejected), limited(MOST_PRODUCTS):
         return is_nonnegative(reading, reading(expression))
     return False
