@@ -77,3 +77,22 @@ def test_a_thickness_is_no_time() -> None:
 
 def test_what_a_page_defines_is_not_taken_to_be_constant() -> None:
     assert "constant" not in _read(r"$$ T = m \dot x^2, \quad E = T + V $$ and $$ \frac{d E}{d t} = \dot V $$")[2]
+
+
+BEAM = r"$$ w(x) = \frac{P x^2}{6 E I} (3 L - x), \qquad w(L) = \frac{P L^3}{3 E I} $$ Its end, $$ w(\frac{L}{2}) = "
+
+
+@pytest.mark.parametrize(
+    ("value", "verdict"), [(r"\frac{5 P L^3}{48 E I}", "holds"), (r"-\frac{5 P L^3}{48 E I}", "fails")]
+)
+def test_functions_that_a_page_defines_have_values(value: str, verdict: str) -> None:
+    first, second, third = _read(f"{BEAM} {value} $$")
+    assert first == "defines w(x)"
+    assert second.startswith("part 2 holds")
+    assert verdict in third
+
+
+def test_a_function_that_is_defined_twice_or_bound_has_no_values() -> None:
+    twice = r"$$ f(x) = x^2 $$ and elsewhere $$ f(x) = x^3, \quad g(x) = \int_0^x f(s) d s $$"
+    page = printed_page(rf"{twice} $$ f(2) = 4, \quad g(2) = 1 $$", "tex")
+    assert not any(equation.beside for equation in page.equations)

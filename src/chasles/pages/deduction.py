@@ -120,8 +120,9 @@ class Deduction:
         return PosedEquation(as_hypothesis(name, left, right, self.session, self.consequences), left, right, False)
 
     def strange(self, reading: Reading) -> int:
-        """How many symbols of a reading the page has not used before; the value of a function counts for two."""
-        new = symbols_in(reading.sides) - {symbol for symbol, _ in self.premises.spoken}
+        """How many symbols of a reading the page has neither used nor named; the value of a function counts for two."""
+        known = (*self.premises.spoken, *self.premises.defined())
+        new = symbols_in(reading.sides) - {symbol for symbol, _ in known}
         return len(new) + sum("(" in symbol.letter for symbol in new)
 
     def assume(self, left: Node, right: Node) -> None:

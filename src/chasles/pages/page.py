@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
+from itertools import islice
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -126,7 +127,9 @@ def read_page(
     What is found out is added to the answers that are `known`.
     """
     known = known or KnownAnswers()
-    equations = tuple(map(without_misfits_in_chains, read_equations(printed, notation)))
+    beside = [each for equation in printed for each in equation.beside]
+    both = tuple(map(without_misfits_in_chains, read_equations([*printed, *beside], notation)))
+    equations, beside_them = both[: len(printed)], iter(both[len(printed) :])
     sides = [side for equation in equations for reading in equation.readings for side in reading.sides]
     session, is_complex = Session(WORK, memory=known.memory), imaginary_unit(sides) is not None
     printed_rates = (quantity(part) for side in sides for part in walk(side))
@@ -154,10 +157,11 @@ def read_page(
     for place, (equation, name) in enumerate(zip(equations, names, strict=True)):
         ahead = tuple(_saying(relations[place + 1 : place + 1 + MOST_AHEAD], leads[place + 1 :]))
         first = relations[place][0].part if relations[place] else 1
-        for nth, beside in enumerate(read_equations(equation.printed.beside, notation), 1):
-            for reading in beside.readings[:1]:
-                claims = _relations(reading, beside.printed.label or f"{name} under a brace", nth)
-                deduction.say_beside(each for each in claims if not beside.printed.label or each.left not in defined)
+        for nth, named_by in enumerate(islice(beside_them, len(equation.printed.beside)), 1):
+            naming = (each for each in named_by.readings if quantity(each.parts[0].left) is not None)
+            for reading in islice(naming, 1):
+                claims = _relations(reading, named_by.printed.label or f"{name} under a brace", nth)
+                deduction.say_beside(each for each in claims if is_defining(each) or each.left not in defined)
         found += _decided(equation, name, first, notes, deduction, ahead, leads[place])
     return ReadPage(tuple(replace(each, finding=deduction.settled(each.finding)) for each in found), file)
 

@@ -25,7 +25,8 @@ INERTIA = re.compile(
     r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI)"
     r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z(] |\^ \{ - 1|_ \{? ?1 "
     r"|= (?:\\i*int|\\[dt]?frac|m) )"
-    r"|\\frac \{ [^{}]* \} \{ I \}|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"
+    r"|\} \{ (?:[^{}()+-]* )?I(?: [^{}()+-]*)? \}"
+    r"|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"
 )
 """An I before a letter or brackets, in a denominator, inverted, or said to be a quotient or integral, is no identity;
 nor is one of one row, nor a 1 that is transposed."""

@@ -8,6 +8,7 @@ from contextlib import suppress
 from pathlib import PurePath
 from typing import Any, Literal
 
+from chasles.reading.function_values import with_values
 from chasles.reading.hypertext import of_html, of_notebook
 from chasles.reading.lexemes import BadPage, Token, spelled
 from chasles.reading.macros import MOST_WASTED, MacroTable, Source
@@ -71,7 +72,7 @@ def printed_page(
     else:
         page.read(source)
     remarks = tuple(_expanded(page.remarks, page.macros))
-    return PrintedPage(tuple(with_names(page.found, remarks)), remarks)
+    return PrintedPage(tuple(with_values([*with_names(page.found, remarks)])), remarks)
 
 
 def _expanded(remarks: Iterable[Remark], macros: MacroTable) -> Iterator[Remark]:
