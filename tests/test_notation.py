@@ -215,3 +215,9 @@ def test_frames_stand_before_their_letters() -> None:
     }
     for node, said in printed.items():
         assert latex(node) == said
+
+
+def test_functions_of_letters_may_have_brackets() -> None:
+    style, x = Latex(Notation({}, bare_arguments=False)), scalar("x", "x", "an angle")
+    assert spell(cos(x) ** 2 * x, style).text == r"\cos^2\left( x \right) x"
+    assert spell(arctan(x), style).text == r"\arctan\left( x \right)"

@@ -28,11 +28,11 @@ class Notation:
 
     A word is named by its class, by the function that writes it (`CPM`, `tr`), or, a function of a scalar, by its
     name ("sin"). With `round_brackets` brackets within brackets are round, but where the author chose others; with
-    `bare_arguments` a function of a letter or of a fraction has none. Raises `WrongArgument` for a form that leaves out
-    a part or has none that the word has.
+    `bare_arguments` a function of a letter or of a fraction has none; if it is False, one of a letter has them, too.
+    Raises `WrongArgument` for a form that leaves out a part or has none that the word has.
     """
 
-    def __init__(self, forms: Mapping[Any, str], *, round_brackets: bool = False, bare_arguments: bool = False) -> None:
+    def __init__(self, forms: Mapping[Any, str], *, round_brackets: bool = False, bare_arguments: Any = None) -> None:
         self.round_brackets, self.bare_arguments = round_brackets, bare_arguments
         if not isinstance(forms, Mapping):
             raise WrongArgument(f"Notation takes a table of words and forms: {FORMS}")

@@ -90,7 +90,8 @@ class Latex:
         bare = self.notation.bare_arguments
         is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and (bare or "{" not in argument.text)
         is_product = argument.level >= Precedence.PRODUCT and argument.depth == 0 and not FUNCTION.search(argument.text)
-        return (bare and (argument.bar or is_product)) or (is_letter and not argument.text[0].isdigit())
+        usual = is_letter and bare is not False and not argument.text[0].isdigit()
+        return usual or (bool(bare) and (argument.bar or is_product))
 
     def called(self, name: str, in_latex: str) -> str:
         return in_latex
