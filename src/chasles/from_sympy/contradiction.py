@@ -18,6 +18,7 @@ from chasles.algebra.rings import Polynomial, written
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.atoms import assumed_of
+from chasles.from_sympy.opening import Signed
 from chasles.from_sympy.positivity import definite_by
 from chasles.from_sympy.question import Question
 from chasles.problems.context import Context, build
@@ -130,7 +131,7 @@ def _assumed(question: Question, context: Context) -> dict[int, tuple[str, Assum
         atom = None if symbol is None else question.origins.get(symbol)
         if variable.symbol in roots and atom is not None:
             found[place] = "", {"nonnegative": True}
-        elif atom is not None:
+        elif atom is not None and not isinstance(atom, Signed):  # positive only where the question is meant
             found[place] = (str(atom) if is_atom(atom) else ""), assumed_of(atom)
     return found
 
