@@ -4,20 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from functools import partial, reduce
-from math import factorial
+from functools import partial
 
 import sympy
 from sympy.codegen import cfunctions
 
 from chasles.compiling.elimination import solved
+from chasles.compiling.exponentials import (
+    Apart,
+    DividedExponential,
+    HeldLargest,
+    apart,
+    divided_exponential,
+    held_largest,
+)
 from chasles.compiling.taylor import Stumpff, TaylorPolynomial, horner
 from chasles.lowering.builder import Builder
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
 
-SERIES_TERMS = 16
-"""So many are enough where numbers are at most a half."""
 MOST_FACTORS = 32
 """A whole power of more factors is left to the function `pow`: so many roundings would add up."""
 _SAME_IN_C: Mapping[type, str] = {
@@ -73,24 +78,6 @@ class PowerTimesLog(sympy.Function):  # type: ignore[misc]
     is_real = True
 
 
-class HeldLargest(sympy.Function):  # type: ignore[misc]
-    """The largest of some numbers, zero where it is infinite; a constant in derivatives: nothing depends on it."""
-
-    is_real = True
-
-
-class Apart(sympy.Function):  # type: ignore[misc]
-    """The difference of two numbers, zero where both are the same infinity."""
-
-    is_real = True
-
-
-class DividedExponential(sympy.Function):  # type: ignore[misc]
-    """The divided difference of the exponential at some points, which may meet."""
-
-    is_real = True
-
-
 def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
     """The steps of each function of SymPy that is known, of the steps of its arguments."""
 
@@ -122,7 +109,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.acoth: lambda a: build.function("atanh", over(a)),
         sympy.asech: partial(_inverse_hyperbolic_secant, build),
         sympy.acsch: lambda a: build.function("asinh", over(a)),
-        DividedExponential: lambda *points: _divided_exponential(build, list(points)),
+        DividedExponential: lambda *points: divided_exponential(build, list(points)),
         Inverted: partial(_inverted, build, {}),
         sympy.expint: partial(_exponential_integral, build),
         sympy.Ci: lambda a: _where_nonnegative(build, a, build.function("ci", a)),
@@ -136,8 +123,8 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.Mod: partial(_remainder, build),
         sympy.sign: partial(_sign, build),
         sympy.Heaviside: partial(_unit_step, build),
-        HeldLargest: partial(_held_largest, build),
-        Apart: partial(_apart, build),
+        HeldLargest: partial(held_largest, build),
+        Apart: partial(apart, build),
         sympy.Max: lambda *many: _extreme(build, many, largest=True),
         sympy.Min: lambda *many: _extreme(build, many, largest=False),
         cfunctions.Sqrt: build.square_root,
@@ -205,46 +192,6 @@ def _arcsine(build: Builder, a: int) -> int:
 
 def _arccosine(build: Builder, a: int) -> int:
     return build.arctangent2(_leg(build, a), a)
-
-
-def _held_largest(build: Builder, *many: int) -> int:
-    most = reduce(lambda a, b: build.select(build.less(a, b), b, a), many)
-    return build.held(build.select(build.equal(build.subtract(most, most), build.zero), most, build.zero))
-
-
-def _apart(build: Builder, a: int, b: int) -> int:
-    difference = build.subtract(a, b)
-    return build.rate_by(build.select(build.equal(a, b), build.zero, difference), (difference, build.one))
-
-
-def _divided_exponential(build: Builder, points: list[int]) -> int:
-    """Of points in their order: a series where they are close, elsewhere the difference of those of fewer points."""
-    for end in range(len(points) - 1, 0, -1):
-        for k in range(end):
-            a, b = points[k : k + 2]
-            turned = build.less(b, a)
-            points[k : k + 2] = build.select(turned, b, a), build.select(turned, a, b)
-    found = [build.function("exp", point) for point in points]
-    for more in range(1, len(points)):
-        for k in range(len(points) - more):
-            between = points[k : k + more + 1]
-            apart = build.subtract(between[-1], between[0])
-            far = build.divide(build.subtract(found[k + 1], found[k]), apart)
-            found[k] = build.select(build.less(apart, build.one), _series_of_exponential(build, between), far)
-    return found[0]
-
-
-def _series_of_exponential(build: Builder, points: Sequence[int]) -> int:
-    """The exponential at the middle of the points times their complete homogeneous polynomials over factorials."""
-    middle = build.multiply(build.constant(Fraction(1, 2)), build.add(points[0], points[-1]))
-    homogeneous = [build.one] + [build.zero] * (SERIES_TERMS - 1)
-    for point in points:
-        away = build.subtract(point, middle)
-        for k in range(1, SERIES_TERMS):
-            homogeneous[k] = build.add(homogeneous[k], build.multiply(away, homogeneous[k - 1]))
-    weights = (build.constant(Fraction(1, factorial(k + len(points) - 1))) for k in range(SERIES_TERMS))
-    terms = [build.multiply(weight, each) for weight, each in zip(weights, homogeneous, strict=True)]
-    return build.multiply(build.function("exp", middle), reduce(build.add, reversed(terms)))
 
 
 def _arccotangent(build: Builder, a: int) -> int:

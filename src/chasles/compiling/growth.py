@@ -16,7 +16,8 @@ import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 
 from chasles.compiling.angles import KEPT, KNOWN, angle_of, parts_of_kinds, square_of
-from chasles.compiling.elementary import Apart, HeldLargest, PowerTimesLog
+from chasles.compiling.elementary import PowerTimesLog
+from chasles.compiling.exponentials import Apart, HeldLargest
 from chasles.compiling.near_zero import without_cancellation
 from chasles.compiling.taylor import NearZero, WholeChoice
 from chasles.compiling.variables import HELD

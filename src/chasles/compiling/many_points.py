@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from chasles.compiling.elementary import DividedExponential
+from chasles.compiling.exponentials import DividedExponential
 
 _MOST_POINTS = 6
 
