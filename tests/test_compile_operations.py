@@ -16,7 +16,7 @@ MOST = {
     "ur5_jacobian": 134,
     "quadrotor": 96,
     "inertial_step": 123,
-    "rotation_error": 235,
+    "rotation_error": 248,
     "vehicle": 87,
 }
 

@@ -38,7 +38,7 @@ def in_range(expression: Any, far: frozenset[Any] = frozenset()) -> Any:
         (near, where), (stated, _) = expression.args
         known = far.union(_angle(part.args[0]) for part in parts_of_kinds(where, (sympy.Abs,)))
         held = in_range(stated, known)
-        if held is stated and not all(_is_far(angle_of(f), known) for f in parts_of_kinds(stated, KNOWN)):
+        if held is stated and not all(_angle(angle_of(f)) in known for f in parts_of_kinds(stated, KNOWN)):
             held = without_cancellation(stated)
         return NearZero((in_range(near, far), where), (held, True), evaluate=False)
     parts = [_inside(part, far) if expression.is_Mul else in_range(part, far) for part in expression.args]

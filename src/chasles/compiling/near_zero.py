@@ -79,14 +79,16 @@ def _changed(expression: sympy.Basic) -> Any:
 
 
 def _cancelled(product: sympy.Mul) -> Any:
-    """The product; where in a case near zero what is divided by cancels, its factors are within the cases."""
+    """The product; where in a case near zero what is divided by cancels with factors, these are within the cases."""
     for case in product.args:
         if isinstance(case, NearZero):
             (left, near), (stated, _) = case.args
             rest = _cofactor(product, case)
-            cases = [(found, rest * found) for found in (left, stated)]
-            if any(_divisors(rest, found) - _divisors(whole) for found, whole in cases):
-                return NearZero((cases[0][1], near), (cases[1][1], True), evaluate=False)
+            bases = {f.as_base_exp()[0] for found in (left, stated) for f in sympy.Mul.make_args(found)}
+            beside = sympy.Mul(*(f for f in sympy.Mul.make_args(rest) if f.as_base_exp()[0] in bases))
+            if any(_divisors(beside, found) - _divisors(beside * found) for found in (left, stated)):
+                within = NearZero((beside * left, near), (beside * stated, True), evaluate=False)
+                return rest / beside * within
     return product
 
 

@@ -30,12 +30,13 @@ from chasles.compiling.many_points import with_points_together
 from chasles.compiling.near_zero import in_squares, where_near, without_cancellation
 from chasles.compiling.singular_points import without_singular_points
 from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial
-from chasles.compiling.variables import Substitution
-from chasles.compiling.whole_angles import ROOT, WholeAngle
+from chasles.compiling.variables import Substitution, outermost
+from chasles.compiling.whole_angles import ANGLE, ROOT, WholeAngle
 
 LEFT = (Stumpff, TaylorPolynomial)
 NORM = sympy.Dummy("norm", dummy_index=2, nonnegative=True)
 """What stands for an angle that is a root."""
+_ANGLES = {ANGLE, ROOT, NORM}
 
 
 def without_removable(expression: sympy.Basic) -> sympy.Basic:
@@ -80,12 +81,19 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
         if apart is None:
             continue
         inner, back = apart
-        found = back(_of_squares(without_singular_points(inner)))
+        # What does not change with the angle is a symbol, however long it is.
+        rest = {part: sympy.Dummy(real=True) for part in outermost([inner], _is_fixed)}
+        regular = _of_squares(without_singular_points(Substitution(rest).of(inner)))
+        found = back(Substitution({dummy: part for part, dummy in rest.items()}).of(regular))
         made = parts_of(found, ())
         if parts_of_kinds(found, LEFT) or len(divisors(made)) < len(divisors(parts)):
             expression = _as_stated(found, table, expression)
             parts = parts_of(expression, ())
     return expression
+
+
+def _is_fixed(part: Any) -> bool:
+    return isinstance(part, sympy.Add | sympy.Mul) and part.free_symbols.isdisjoint(_ANGLES) and not part.is_number
 
 
 def _as_symbol(stated: sympy.Basic, angle: sympy.Expr) -> Any:
