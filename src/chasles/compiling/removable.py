@@ -85,13 +85,12 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
         rest = {part: sympy.Dummy(real=True) for part in outermost([inner], _is_fixed)}
         regular = _of_squares(without_singular_points(Substitution(rest).of(inner)))
         again = {dummy: part for part, dummy in rest.items()}
-        for near in parts_of_kinds(regular, (sympy.StrictLessThan,)):
-            if near.lhs.has(NORM) and near.rhs.is_number and not isinstance(near.lhs, sympy.Abs):
-                # SymPy leaves the size of a square out, and what is put in for it may be negative.
-                again[near] = sympy.StrictLessThan(
-                    sympy.Abs(Substitution(again).of(near.lhs), evaluate=False), near.rhs
-                )
         found = back(Substitution(again).of(regular))
+        # SymPy leaves the size of a square out, and what is put in for it may be negative.
+        less = (sympy.StrictLessThan,)
+        bare = {n for n in parts_of_kinds(found, less) - parts_of_kinds(stated, less) if n.rhs.is_number}
+        sizes = {n: sympy.Abs(n.lhs, evaluate=False) < n.rhs for n in bare if not isinstance(n.lhs, sympy.Abs)}
+        found = Substitution(sizes).of(found) if sizes else found
         made = parts_of(found, ())
         if parts_of_kinds(found, LEFT) or len(divisors(made)) < len(divisors(parts)):
             expression = _as_stated(found, table, expression)
