@@ -89,7 +89,7 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
         # SymPy leaves the size of a square out, and what is put in for it may be negative.
         less = (sympy.StrictLessThan,)
         bare = {n for n in parts_of_kinds(found, less) - parts_of_kinds(stated, less) if n.rhs.is_number}
-        sizes = {n: sympy.Abs(n.lhs, evaluate=False) < n.rhs for n in bare if not isinstance(n.lhs, sympy.Abs)}
+        sizes = {n: sympy.Abs(n.lhs, evaluate=False) < n.rhs for n in bare if not n.lhs.has(sympy.Abs)}
         found = Substitution(sizes).of(found) if sizes else found
         made = parts_of(found, ())
         if parts_of_kinds(found, LEFT) or len(divisors(made)) < len(divisors(parts)):
