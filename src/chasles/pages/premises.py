@@ -128,12 +128,11 @@ class Premises:
     def at_rest(self, sides: Iterable[Node], rules: Rules) -> tuple[PosedEquation, ...]:
         """That each symbol is constant of which a rate remains once rules are applied, and none is on the page.
 
-        Nothing if the page says of one of them what it is.
+        None of those that the page defines: they are what it says that they are.
         """
         found = sorted((each for side in sides for each in _remaining(side, rules)), key=str)
-        still = dict.fromkeys(symbol for symbol, order in found if order and symbol not in self.moving)
-        if still.keys() & {symbol for symbol, _ in self.defined()}:
-            return ()
+        known = self.moving.union(symbol for symbol, _ in self.defined())
+        still = dict.fromkeys(symbol for symbol, order in found if order and symbol not in known)
         for symbol in still.keys() - self.resting.keys():
             sides = Rate(symbol), zero_of(symbol.shape)
             self.resting[symbol] = PosedEquation(posed(f"{plain(symbol)} is constant", *sides), *sides, open=False)
