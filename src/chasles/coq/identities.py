@@ -169,17 +169,17 @@ class _ScalarProof:
         return COMPARED[variant], " + ".join([*products, plain.total(rest, below)])
 
     def _square(self, place: int, which: int) -> tuple[Any, str]:
-        """What vanishes since a sum of squares does, which is a multiple of what is given."""
+        """What vanishes since a sum of squares does, which is a sum of multiples of what is given."""
         plain, said = self.plain, self.certificate["squares"][place]
-        (label, times), squares = said["of"], [[plain.parsed(text) for text in pair] for pair in said["squares"]]
+        squares = [[plain.parsed(text) for text in pair] for pair in said["squares"]]
         weight, base = squares[which]
         if not all(each.is_nonnegative for each, _ in squares) or not weight.is_positive:
             raise Unsaid("no proof is written with squares whose weights are not seen to be positive")
-        value, spelled = self._given(label)
-        times = plain.parsed(times)
-        terms = [f"({text_of(each)} * {text_of(of)}^2)" for each, of in squares]
-        rest = plain.total(sympy.Add(*(each * of**2 for each, of in squares)) - times * value)
-        total = f"apply (by_parts _ _ ({text_of(times)} * {spelled} + {rest})); [vanish | identity]"
+        of = [(plain.parsed(times), *self._given(label)) for label, times in said["of"]]
+        terms = [f"({text_of(each)} * {text_of(root)}^2)" for each, root in squares]
+        whole = sympy.Add(*(each * root**2 for each, root in squares), *(-times * value for times, value, _ in of))
+        given = " + ".join(f"{text_of(times)} * {spelled}" for times, _, spelled in of)
+        total = f"apply (by_parts _ _ ({given} + {plain.total(whole)})); [vanish | identity]"
         known = "".join(f"assert (0 <= {term}) by nonnegative; " for term in terms)
         steps = f"assert ({' + '.join(terms)} = 0) by ({total}); {known}"
         steps += f"apply (of_square {text_of(weight)}); [above | lra]"

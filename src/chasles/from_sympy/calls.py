@@ -78,10 +78,11 @@ class Calls:
 
     def _quantity(self, value: Value) -> Any:
         """A symbol; a function of the variables on which functions in the arguments depend, if there are any."""
-        if value.arguments == self.plain.get(value.function) or is_unreal(value.function(*value.arguments)):
+        call = value.function(*value.arguments)
+        if value.arguments == self.plain.get(value.function) or is_unreal(call) or call.has(sympy.I):
             return value.spelled
         if value not in self.named:
-            assumed = {} if value.orders else assumed_of(value.function(*value.arguments))
+            assumed = {} if value.orders else assumed_of(call)
             moving = {t for e in value.arguments for part in e.atoms(AppliedUndef) for t in part.args if t.is_Symbol}
             symbol = sympy.Symbol(value.name, **{**assumed, "real": True})
             named = sympy.Function(value.name, **assumed)(*sorted(moving, key=str)) if moving else symbol
