@@ -7,8 +7,8 @@ from chasles.derivations.notation import I_A, I_C, a, arc, c, e, m, r_C, x_any, 
 from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positive
 
 from chasles.exact.evaluate import Value
-from chasles.exact.principal_axes import in_axes
 from chasles.exact.polynomial_roots import same_number
+from chasles.exact.principal_axes import in_axes
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature, smallest_belongs_to
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Picture, Point

@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 
 from chasles.exact.grounds import NotDecided, RationalFunctions
-from chasles.exact.tower_elements import NotInTower, in_tower, independent_atoms, spelled
 from chasles.exact.tower import QuadraticTower, Surd
+from chasles.exact.tower_elements import NotInTower, in_tower, independent_atoms, spelled
 
 
 @dataclass(frozen=True, slots=True)
