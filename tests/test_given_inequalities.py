@@ -261,3 +261,13 @@ def test_a_proof_that_does_not_say_what_its_symbols_are_is_rejected() -> None:
     for said in verdict.needs:
         with pytest.raises(Rejected):
             recheck(replace(verdict, needs=tuple(text for text in verdict.needs if text != said)), *asked)
+
+
+@pytest.mark.parametrize(
+    ("root", "given"),
+    [(sp.sqrt(x), x < 0), (sp.sqrt(x + y), x + y < 0), (x / sp.sqrt(y - 1), y < 1), (sp.sqrt(x) * sp.sqrt(y), x < 0)],
+)
+def test_nothing_holds_of_roots_that_are_not_real_where_what_is_given_holds(root: Any, given: Any) -> None:
+    assert not prove(root, root, given=[given]).true
+    piecewise = Piecewise((root, sp.Not(given)), (0, True))
+    assert prove(piecewise, 0, given=[given]).true

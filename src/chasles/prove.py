@@ -10,7 +10,9 @@ from math import inf
 from typing import Any
 
 import sympy
+from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.logic.boolalg import Boolean
+from sympy.matrices import MatrixExpr
 from sympy.polys.polyerrors import BasePolynomialError
 
 from chasles.algebra.work_limit import OutOfTime, remaining, within
@@ -32,7 +34,7 @@ from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.induction import by_induction
 from chasles.from_sympy.inequalities import Said, definitions, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
-from chasles.from_sympy.opening import excerpt
+from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.variables import Untreatable
 from chasles.prover.decide import decide_problem
@@ -124,6 +126,7 @@ def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: C
             with within(EFFORT):
                 verdict = decide(*asked)
                 _require_values(calls, verdict)
+                _require_real(calls.said, verdict)
         except OutOfTime as error:
             left.append((Undecided(str(error)), asked))
         except Rejected as error:
@@ -264,6 +267,7 @@ def recheck(
         try:
             _check_reading(verdict, said, asked)
             _require_values(calls, verdict)
+            _require_real(calls.said, verdict)
             return
         except Rejected as reason:
             reasons.append(reason)
@@ -275,6 +279,18 @@ def _check_reading(verdict: Holds | HoldsUnder | Fails, said: Said, asked: Said)
         if not isinstance(verdict, Fails) and text not in verdict.needs:
             raise Rejected(f"the verdict is on {text}, and does not say so")
     _check(verdict, asked)
+
+
+def _require_real(said: Said, verdict: Verdict) -> None:
+    """Raise `Rejected` where a side is not real at the witness of a proof, though nothing that is asked is complex."""
+    witness = verdict.witness if isinstance(verdict, Holds | HoldsUnder) else None
+    if witness and not any(e.has(sympy.I) for e in expressions_in(said)):
+        for e in expressions_in(said[:2]):
+            if isinstance(e, MatrixExpr) or e.has(sympy.Subs, ExprWithLimits):
+                continue
+            at = {atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms_of(e) if str(atom) in witness}
+            if e.xreplace(at).is_real is False:
+                raise Rejected(f"{excerpt(e)} is not real where what is given holds")
 
 
 def _require_values(calls: Calls, verdict: Verdict) -> None:
