@@ -20,6 +20,7 @@ from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.induction import at_numbers, check_induction
 from chasles.checker.expressions.proof import check_proof
+from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
@@ -284,13 +285,15 @@ def _check_reading(verdict: Holds | HoldsUnder | Fails, said: Said, asked: Said)
 def _require_real(said: Said, verdict: Verdict) -> None:
     """Raise `Rejected` where a side is not real at the witness of a proof, though nothing that is asked is complex."""
     witness = verdict.witness if isinstance(verdict, Holds | HoldsUnder) else None
-    if witness and not any(e.has(sympy.I) for e in expressions_in(said)):
-        for e in expressions_in(said[:2]):
-            if isinstance(e, MatrixExpr) or e.has(sympy.Subs, ExprWithLimits):
-                continue
-            at = {atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms_of(e) if str(atom) in witness}
-            if e.xreplace(at).is_real is False:
-                raise Rejected(f"{excerpt(e)} is not real where what is given holds")
+    if not witness or any(e.has(sympy.I) for e in expressions_in(said)):
+        return
+    for e in expressions_in(said[:2]):
+        atoms = [*atoms_of(e)]
+        binds = e.has(sympy.Subs, ExprWithLimits) or any(not is_atom(rate) for rate in e.atoms(sympy.Derivative))
+        if isinstance(e, MatrixExpr) or binds or any(str(atom) not in witness for atom in atoms):
+            continue
+        if e.xreplace({atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms}).is_real is False:
+            raise Rejected(f"{excerpt(e)} is not real where what is given holds")
 
 
 def _require_values(calls: Calls, verdict: Verdict) -> None:
