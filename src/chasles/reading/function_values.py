@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from chasles.reading.atoms import marks_of
-from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.radicands import LETTER
 
@@ -25,7 +23,7 @@ MOST_VALUES = 200
 
 def with_values(found: Sequence[PrintedEquation]) -> Iterator[PrintedEquation]:
     """The equations of a page, each with the values in it of functions that the page defines once."""
-    texts = list(map(_text_of, found))
+    texts = [each.text for each in found]
     rules: dict[str, tuple[str, str, PrintedEquation] | None] = {}
     for text, each in zip(texts, found, strict=True):
         for match in DEFINED.finditer(text):
@@ -57,10 +55,3 @@ def _value(function: str, argument: str, rule: tuple[str, str, PrintedEquation] 
     name = f"{where.number or f'line {where.line}'} at {argument.replace(' ', '')}"
     latex = f"{function} ( {argument} ) \\equiv {put}"
     return PrintedEquation(latex, where.line, label=name, section=where.section, file=where.file)
-
-
-def _text_of(equation: PrintedEquation) -> str:
-    try:
-        return " ".join(marks_of(equation.atoms))
-    except BadPage:
-        return ""

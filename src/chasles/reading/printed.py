@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from chasles.reading.alignment import atoms_of_equation
-from chasles.reading.atoms import Atoms
+from chasles.reading.atoms import Atoms, marks_of
 from chasles.reading.lexemes import BadPage
 
 
@@ -52,6 +52,14 @@ class PrintedEquation:
         if self.fault:
             raise BadPage(self.fault, self.line, self.column)
         return self.found or atoms_of_equation(self.latex, self.line, self.column)
+
+    @cached_property
+    def text(self) -> str:
+        """What is printed, lexeme by lexeme; nothing of a display that has a fault."""
+        try:
+            return " ".join(marks_of(self.atoms))
+        except BadPage:
+            return ""
 
 
 class PrintedPage(NamedTuple):

@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from chasles.reading.atoms import TYPEFACES, Unread, marks_of
+from chasles.reading.atoms import TYPEFACES, Unread
 from chasles.reading.commands import LETTERS, MARKS
 from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
 from chasles.reading.letter_names import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, NameMarks, inertias
@@ -37,7 +37,7 @@ def proposed(equations: Sequence[PrintedEquation], remarks: Iterable[Remark] = (
     """
     named = dict.fromkeys(each for equation in equations for each in equation.beside if each.label)
     equations = [*equations, *named]
-    texts = [_text_of(equation) for equation in equations]
+    texts = [equation.text for equation in equations]
     told = said_of_letters(remarks, "\n".join(texts))
     said = {letter: base_of(each) for letter, each in told.items()}
     inertia = set().union(*map(inertias, texts))
@@ -112,13 +112,6 @@ def _otherwise(stem: Glyph, use: LetterUse, of_operators: bool) -> str:
         return "matrix"
     is_vector = bold or use.signs & {r"\cdot", r"\|\|", *SKEW, *(f"^{each}" for each in TRANSPOSES)}
     return "scalar" if use.kind == "vector" and r"\times" in use.signs and not is_vector else ""
-
-
-def _text_of(equation: PrintedEquation) -> str:
-    try:
-        return " ".join(marks_of(equation.atoms))
-    except BadPage:
-        return ""
 
 
 def _declared(
