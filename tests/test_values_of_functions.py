@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from sympy import Derivative, Eq, Rational, cos, sin, sqrt
 
-from chasles.prove import Rejected, prove, recheck
+from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
 
 x, y, t, a, c, z = sp.symbols("x y t a c z", real=True)
@@ -75,6 +75,20 @@ def test_a_function_may_have_any_values_at_different_places(lhs: Any, rhs: Any) 
 )
 def test_what_ties_values_to_each_other_refutes_nothing(lhs: Any, rhs: Any, given: Any) -> None:
     assert isinstance(prove(lhs, rhs, given), Undecided)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [
+        (sp.Subs(Derivative(f(x) * sp.Max(x, 0), x), x, 0), f(0) / 2),
+        (sp.Subs(Derivative(f(x) * sp.Abs(x), x), x, 0), 0),
+    ],
+)
+def test_what_has_a_kink_has_no_rate_there_beside_a_function_either(lhs: Any, rhs: Any) -> None:
+    with pytest.raises(Untreatable, match="no derivative there"):
+        prove(lhs, rhs)
+    smooth = sp.Subs(Derivative(y * f(y), y), y, 2)
+    assert isinstance(prove(smooth, f(2) + 2 * sp.Subs(Derivative(f(x), x), x, 2)), Holds)
 
 
 def test_values_at_the_same_place_are_no_counterexample() -> None:

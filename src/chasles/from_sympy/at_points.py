@@ -7,12 +7,13 @@ from typing import Any
 import sympy
 from sympy.core.function import Application, AppliedUndef
 
+from chasles.from_sympy.calls import value_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced
 from chasles.from_sympy.opening import excerpt
 from chasles.problems.variables import Untreatable
 
-SMOOTH = sympy.sin | sympy.cos | sympy.exp
+SMOOTH = sympy.sin | sympy.cos | sympy.exp | AppliedUndef
 
 
 def without_points(said: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -23,8 +24,8 @@ def without_points(said: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 def _put(e: Any) -> Any:
-    """The value of what is smooth; of other expressions, the same with other names; functions are as they stand."""
-    if e.expr.has(AppliedUndef):
+    """The value of what is smooth; of other expressions, the same with other names; a function's value is as it is."""
+    if value_of(e) is not None:
         return e
     parts = sympy.Tuple(e.expr, *e.point).atoms(sympy.Pow, Application)
     if all(isinstance(part, SMOOTH) or (part.is_Pow and part.exp.is_Integer and part.exp > 0) for part in parts):

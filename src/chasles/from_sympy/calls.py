@@ -61,15 +61,13 @@ class Calls:
     """
 
     def __init__(self, said: tuple[Any, ...]) -> None:
-        spoken = [e for e in expressions_in(said) if e.has(AppliedUndef)]
-        rates = [e for e in _parts(spoken, sympy.Derivative | sympy.Subs) if value_of(e) is None]
+        rates = [e for e in _parts(_with_functions(said), sympy.Derivative) if value_of(e) is None]
         said = with_values(said, {e: e.doit() for e in rates}) if rates else said
         self.said, self.given = said, said[2:]
+        spoken = _with_functions(said)
         # SymPy (1.14) leaves symbols called like a place in derivatives of what is there.
-        places = {
-            sympy.Symbol(f"_{p}"): p for e in spoken for part in e.atoms(sympy.Subs) for p in part.point if p.args
-        }
-        self.read = {e: value.at(places) for e, value in _values(expressions_in(said))}
+        places = {sympy.Symbol(f"_{p}"): p for e in _parts(spoken, sympy.Subs) for p in e.point if p.args}
+        self.read = {e: value.at(places) for e, value in _values(spoken)}
         self.plain = _plain(self.read.values())
         self.named: dict[Value, Any] = {}
         self.put = {e: self._quantity(value) for e, value in self.read.items()}
@@ -89,13 +87,17 @@ class Calls:
             self.named[value] = named
         return self.named[value]
 
+    @property
+    def _several(self) -> set[Any]:
+        """The functions that have values at other places than the one at which they are kept."""
+        return {value.function for value in self.named}
+
     def require_free(self, at: Mapping[str, Any]) -> None:
         """A counterexample is one: nothing is given of a function of which there are several values, and they are so.
 
         Raises `Rejected` if not.
         """
-        functions = {value.function for value in self.named}
-        if any(value.function in functions for _, value in _values(expressions_in(self.given))):
+        if any(value.function in self._several for _, value in _values(_with_functions(self.given))):
             raise Rejected("something is given of a function of which values at several places are asked")
         self._places(list(self.named), at)
         self.require_apart(at)
@@ -105,8 +107,7 @@ class Calls:
 
         Raises `Rejected` unless that is seen.
         """
-        functions = {value.function for value in self.named}
-        values = [value for value in dict.fromkeys(self.read.values()) if value.function in functions]
+        values = [value for value in dict.fromkeys(self.read.values()) if value.function in self._several]
         for one, other in combinations(values, 2):
             told = [str(at.get(str(self._quantity(value)))) for value in (one, other)]
             if (one.function, one.orders) != (other.function, other.orders) or told[0] == told[1]:
@@ -152,6 +153,10 @@ def _values(expressions: Iterable[Any]) -> Iterator[tuple[Any, Value]]:
             value = None if isinstance(e, BINDING) or e.free_symbols & bound else value_of(e)
             if value is not None:
                 yield e, value
+
+
+def _with_functions(said: tuple[Any, ...]) -> list[Any]:
+    return [e for e in expressions_in(said) if e.has(AppliedUndef)]
 
 
 def _parts(expressions: Iterable[Any], kind: Any) -> Iterator[Any]:
