@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from math import inf
 from typing import Any
 
-import sympy
-from sympy.concrete.expr_with_limits import ExprWithLimits
-from sympy.logic.boolalg import Boolean
-from sympy.matrices import MatrixExpr
 from sympy.polys.polyerrors import BasePolynomialError
 
 from chasles.algebra.work_limit import OutOfTime, remaining, within
@@ -20,22 +16,19 @@ from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.induction import at_numbers, check_induction
 from chasles.checker.expressions.proof import check_proof
-from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
-from chasles.from_sympy.at_points import without_points
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.changed_forms import where_forms_change
-from chasles.from_sympy.complex_symbols import by_parts, expressions_in
-from chasles.from_sympy.components import claimed, in_components, sides_of, without_implication
+from chasles.from_sympy.complex_symbols import expressions_in
+from chasles.from_sympy.components import claimed
 from chasles.from_sympy.contradiction import contradiction
-from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate
+from chasles.from_sympy.handed_in import as_said, readings_of, require_possible
 from chasles.from_sympy.induction import by_induction
-from chasles.from_sympy.inequalities import Said, definitions, without_inequalities
-from chasles.from_sympy.integrals import without_integrals
-from chasles.from_sympy.opening import atoms_of, excerpt
+from chasles.from_sympy.inequalities import Said, definitions
+from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.variables import Untreatable
 from chasles.prover.decide import decide_problem
@@ -88,11 +81,11 @@ def prove(
     """
     try:
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
-        said = _said(exact, lhs, rhs, given, nonzero)
+        said = as_said(exact, lhs, rhs, given, nonzero)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         with within(seconds=budget):
-            ways = [(verdict_at_any_size, said)] if of_any_size else zip(WAYS, _readings(calls.said), strict=False)
+            ways = [(verdict_at_any_size, said)] if of_any_size else zip(WAYS, readings_of(calls.said), strict=False)
             verdict, asked = _first_decided(ways, calls)
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
@@ -111,14 +104,6 @@ def prove(
     return replace(verdict, asked=(*said, claimed(lhs, rhs, given)))
 
 
-def _readings(said: Said) -> Iterator[Said]:
-    """The question with equations for inequalities, in one or two ways."""
-    plain = without_integrals(said)
-    yield (first := without_inequalities(plain))
-    if first is not plain and (other := without_inequalities(plain, by_excess=True)) != first:
-        yield other
-
-
 def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: Calls) -> tuple[Verdict, Said]:
     """The first reading that is decided, and the verdict; or what is said of the first one."""
     left: list[tuple[Verdict | Untreatable, Said]] = []
@@ -126,8 +111,7 @@ def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: C
         try:
             with within(EFFORT):
                 verdict = decide(*asked)
-                _require_values(calls, verdict)
-                _require_real(calls.said, verdict)
+                require_possible(verdict, calls)
         except OutOfTime as error:
             left.append((Undecided(str(error)), asked))
         except Rejected as error:
@@ -235,19 +219,6 @@ def _check(verdict: Verdict, asked: tuple[Any, ...]) -> None:
                 check_refutation(*at_numbers(found, *asked))
 
 
-def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
-    """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
-    said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
-    lhs, rhs, *conditions = said
-    stated = isinstance(lhs, Boolean) and not isinstance(lhs, sympy.Symbol)
-    rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
-    if rhs is None:
-        lhs, conditions[0] = without_implication(lhs, conditions[0])
-    said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
-    said = without_points(said)
-    return by_parts(tuple(map(as_decimals, said)) if exact else said)
-
-
 def recheck(
     verdict: Verdict, lhs: Any, rhs: Any = None, given: Any = (), nonzero: Any = (), exact: bool = False
 ) -> None:
@@ -256,7 +227,7 @@ def recheck(
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
-    said = _said(exact, lhs, rhs, given, nonzero)
+    said = as_said(exact, lhs, rhs, given, nonzero)
     if has_letters_for_sizes(expressions_in(said)):
         check_at_any_size(verdict, *said)
         return
@@ -264,11 +235,10 @@ def recheck(
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
         raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
     reasons = []
-    for asked in _readings(calls.said):
+    for asked in readings_of(calls.said):
         try:
             _check_reading(verdict, said, asked)
-            _require_values(calls, verdict)
-            _require_real(calls.said, verdict)
+            require_possible(verdict, calls)
             return
         except Rejected as reason:
             reasons.append(reason)
@@ -280,29 +250,6 @@ def _check_reading(verdict: Holds | HoldsUnder | Fails, said: Said, asked: Said)
         if not isinstance(verdict, Fails) and text not in verdict.needs:
             raise Rejected(f"the verdict is on {text}, and does not say so")
     _check(verdict, asked)
-
-
-def _require_real(said: Said, verdict: Verdict) -> None:
-    """Raise `Rejected` where a side is not real at the witness of a proof, though nothing that is asked is complex."""
-    witness = verdict.witness if isinstance(verdict, Holds | HoldsUnder) else None
-    if not witness or any(e.has(sympy.I) for e in expressions_in(said)):
-        return
-    for e in expressions_in(said[:2]):
-        atoms = [*atoms_of(e)]
-        binds = e.has(sympy.Subs, ExprWithLimits) or any(not is_atom(rate) for rate in e.atoms(sympy.Derivative))
-        if isinstance(e, MatrixExpr) or binds or any(str(atom) not in witness for atom in atoms):
-            continue
-        if e.xreplace({atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms}).is_real is False:
-            raise Rejected(f"{excerpt(e)} is not real where what is given holds")
-
-
-def _require_values(calls: Calls, verdict: Verdict) -> None:
-    """Raise `Rejected` unless functions may have the values that the verdict tells."""
-    match verdict:
-        case Fails(found):
-            calls.require_free(found.at)
-        case Holds() | HoldsUnder():
-            calls.require_apart(verdict.witness or {})
 
 
 def _answered(question: Question) -> Verdict:

@@ -1,0 +1,70 @@
+"""What was handed in, as it is read: by its sides and parts, without inequalities, in one or two ways.
+
+`prove` and `recheck` read alike, and believe of a verdict only what is possible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import sympy
+from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.logic.boolalg import Boolean
+from sympy.matrices import MatrixExpr
+
+from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.sparse import Rejected
+from chasles.from_sympy.at_points import without_points
+from chasles.from_sympy.calls import Calls
+from chasles.from_sympy.complex_symbols import by_parts, expressions_in
+from chasles.from_sympy.components import in_components, sides_of, without_implication
+from chasles.from_sympy.decimals import as_decimals
+from chasles.from_sympy.inequalities import Said, without_inequalities
+from chasles.from_sympy.integrals import without_integrals
+from chasles.from_sympy.opening import atoms_of, excerpt
+from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
+
+
+def as_said(exact: bool, *said: Any) -> tuple[Any, ...]:
+    """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
+    said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
+    lhs, rhs, *conditions = said
+    stated = isinstance(lhs, Boolean) and not isinstance(lhs, sympy.Symbol)
+    rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
+    if rhs is None:
+        lhs, conditions[0] = without_implication(lhs, conditions[0])
+    said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
+    said = without_points(said)
+    return by_parts(tuple(map(as_decimals, said)) if exact else said)
+
+
+def readings_of(said: Said) -> Iterator[Said]:
+    """The question with equations for inequalities, in one or two ways."""
+    plain = without_integrals(said)
+    yield (first := without_inequalities(plain))
+    if first is not plain and (other := without_inequalities(plain, by_excess=True)) != first:
+        yield other
+
+
+def require_possible(verdict: Verdict, calls: Calls) -> None:
+    """Raise `Rejected` unless functions may have the values that a verdict tells, and sides are real at its witness."""
+    match verdict:
+        case Fails(found):
+            calls.require_free(found.at)
+        case Holds() | HoldsUnder():
+            calls.require_apart(verdict.witness or {})
+            _require_real(calls.said, verdict.witness or {})
+
+
+def _require_real(said: Said, witness: Mapping[str, Any]) -> None:
+    """Raise `Rejected` where a side is not real at a point, though nothing that is asked is complex."""
+    if not witness or any(e.has(sympy.I) for e in expressions_in(said)):
+        return
+    for e in expressions_in(said[:2]):
+        atoms = [*atoms_of(e)]
+        binds = e.has(sympy.Subs, ExprWithLimits) or any(not is_atom(rate) for rate in e.atoms(sympy.Derivative))
+        if isinstance(e, MatrixExpr) or binds or any(str(atom) not in witness for atom in atoms):
+            continue
+        if e.xreplace({atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms}).is_real is False:
+            raise Rejected(f"{excerpt(e)} is not real where what is given holds")
