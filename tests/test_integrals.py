@@ -8,6 +8,7 @@ import pytest
 from sympy import (
     Abs,
     Determinant,
+    Eq,
     Expr,
     I,
     Integral,
@@ -35,6 +36,7 @@ from chasles.prove import Untreatable, prove, recheck
 x, y, t, a, b, r, th, ph = symbols("x y t a b r theta phi")
 m, R, L, w, T, k, c, g = symbols("m R L omega T k c g", positive=True)
 n, i = symbols("n i", integer=True, positive=True)
+j, l = symbols("j l", integer=True)
 
 TRUE: list[tuple[Any, Any, set[str]]] = [
     (Integral(m / L * x**2, (x, -L / 2, L / 2)), m * L**2 / 12, set()),
@@ -112,3 +114,16 @@ def test_what_is_cancelled_where_something_is_written_out_is_needed() -> None:
         verdict = prove(left, right)
         assert verdict.needs == ("x != 0",)
         recheck(verdict, left, right)
+
+
+@pytest.mark.parametrize(
+    ("e", "value"),
+    [(cos(j * x), 0), (cos(j * x) ** 2, pi), (x * cos(j * x), 0), (cos(j * x) * cos(l * x), 0), (exp(I * j * x), 0)],
+)
+def test_what_an_antiderivative_divides_by_is_needed_where_it_is_lost(e: Any, value: Any) -> None:
+    """Of an integer j, sin(2*pi*j)/j is zero where j is not; where j is zero, the integral is another one."""
+    integral = Integral(e, (x, 0, 2 * pi))
+    verdict = prove(integral, value)
+    assert set(verdict.needs) == ({"j + l != 0", "j - l != 0"} if e.has(l) else {"j != 0"})
+    recheck(verdict, integral, value)
+    assert not prove(integral, value, given=[Eq(j, 0), Eq(l, 0)]).true

@@ -35,23 +35,31 @@ def without_integrals(said: tuple[Any, ...]) -> tuple[Any, ...]:
     outer = found - {part for integral in found for part in integral.function.atoms(sympy.Integral)}
     known = {e: each for _, item in listed(said[2], "given") for e, each in signed(item).items() if e.is_Symbol}
     back = {each: e for e, each in known.items()}
-    values = {integral: _value(integral.xreplace(known)).xreplace(back) for integral in sorted(outer, key=str)}
+    values, lost = dict[Any, Any](), dict[Any, None]()
+    for integral in sorted(outer, key=str):
+        value, divided = _value(integral.xreplace(known))
+        values[integral] = value.xreplace(back)
+        # Of what antiderivatives divide by, 1/n is lost where sin(2*pi*n) is zero.
+        lost |= dict.fromkeys(_divisors(integral))
+        lost |= dict.fromkeys(e for each in divided if (e := each.xreplace(back)) not in _divisors(values[integral]))
     lhs, rhs, given, nonzero = with_values(said, values)
-    lost = dict.fromkeys(divisor for integral in values for divisor in _divisors(integral))
     return without_integrals((lhs, rhs, given, [*(item for _, item in listed(nonzero, "nonzero")), *lost]))
 
 
-def _divisors(integral: Any) -> Iterator[Any]:
-    """What an integral divides by, whatever its variables are."""
-    powers = sorted((power for power in integral.atoms(sympy.Pow) if power.exp.is_negative), key=str)
-    bound = {symbol for part in integral.atoms(sympy.Integral) for symbol in part.variables}
-    yield from (power.base for power in powers if not power.base.has(*bound) and 0 in signs_of(power.base))
+def _divisors(e: Any, *bound: Any) -> Iterator[Any]:
+    """What an expression divides by, whatever is bound in it, as are the variables of integrals."""
+    powers = sorted((power for power in e.atoms(sympy.Pow) if power.exp.is_negative), key=str)
+    bound = (*bound, *(symbol for part in e.atoms(sympy.Integral) for symbol in part.variables))
+    factors = (f for power in powers for f in sympy.Mul.make_args(sympy.factor_terms(power.base)))
+    unlike = (sympy.S.One if f.is_number else -f if f.could_extract_minus_sign() else f for f in factors)
+    yield from (base for base in unlike if not base.has(*bound) and 0 in signs_of(base))
 
 
-def _value(integral: Any) -> Any:
-    """The value of an integral, the inner one first; integrals in it are put in before."""
+def _value(integral: Any) -> tuple[Any, list[Any]]:
+    """The value of an integral, and what antiderivatives divide by; those in it and the inner one come first."""
     inner = {part: _value(part) for part in integral.function.atoms(sympy.Integral)}
-    term = integral.function.xreplace(inner)
+    term = integral.function.xreplace({part: value for part, (value, _) in inner.items()})
+    divided = [each for _, more in inner.values() for each in more]
     for index, *ends in integral.limits:
         if len(ends) < 2:
             raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
@@ -68,8 +76,9 @@ def _value(integral: Any) -> Any:
         low, high = (at_end(before, x, end) for end in ends)
         if low is None or high is None:
             raise Untreatable(f"{excerpt(integral)} is not treated: what it tends to at an infinite limit is not known")
+        divided += _divisors(before, x)
         term = sympy.expand(high - low)
-    return term
+    return term, divided
 
 
 def _before(term: Any, x: Any, ends: Any, integral: Any) -> Any:
