@@ -194,6 +194,23 @@ def test_what_a_sign_cancels_is_needed(side: Any, given: list[Any], need: str) -
     assert isinstance(prove(Abs(x) / x, 1, [x > 0]), Holds)
 
 
+PARTIAL = [1 / x, log(x), sqrt(x), tan(x), acos(x), atan2(y, x), x**z]
+
+
+@pytest.mark.parametrize("part", PARTIAL)
+def test_what_two_sides_have_in_common_has_to_be_defined(part: Any) -> None:
+    """It cancels where one side is subtracted from the other, in what is claimed and in what is given."""
+    (need,) = prove(part, part).needs
+    for more, relation in ((1, sp.Gt), (b**2, sp.Ge), (0, sp.Ge)):
+        claim = relation(part + more, part, evaluate=False)
+        verdict = prove(claim)
+        assert verdict.needs == (need,)
+        recheck(verdict, claim)
+    for condition, sign in ((b + part > part, 1), (sp.Ne(b + part, part), sp.sign(b)), (b * (1 + part) < b * part, -1)):
+        verdict = prove(sp.Matrix([0, Abs(b)]), sp.Matrix([0, sign * b]), given=condition)
+        assert need in verdict.needs
+
+
 @pytest.mark.parametrize(
     "given", [[x > 1, x < 0], [x > y, y > x], [x > y, y >= x], [p < 0], [x > 1, Eq(x, 1)]], ids=str
 )

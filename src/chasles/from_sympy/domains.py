@@ -1,0 +1,66 @@
+"""Where what is compared is defined: parts that cancel where two sides are subtracted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy
+from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
+from sympy.matrices import MatrixBase
+
+from chasles.checker.expressions.quantities import is_atom
+from chasles.from_sympy.opening import different_parts
+
+EVERYWHERE = (
+    sympy.sin, sympy.cos, sympy.exp, sympy.sinh, sympy.cosh, sympy.tanh, sympy.atan, sympy.asinh, sympy.erf, sympy.Abs,
+    sympy.sign, sympy.Max, sympy.Min, sympy.floor, sympy.ceiling, sympy.frac, sympy.Heaviside, sympy.re, sympy.im,
+    sympy.conjugate, sympy.Piecewise, AppliedUndef,
+)  # fmt: skip
+"""Functions that have a value wherever their arguments have one."""
+BINDING = ExprWithLimits | sympy.Derivative | sympy.Subs
+
+
+def also_defined(side: Any, relations: Iterable[Any]) -> Any:
+    """The same, but that it has a value only where both sides of relations have: log(x) < log(x) + 1.
+
+    Its first entry is multiplied by one, or zero is said: by a determinant, whose entries have to be defined.
+    """
+    lost = [*dict.fromkeys(part for relation in relations for part in _cancelled(relation))]
+    if not lost or not isinstance(side, int | sympy.Expr | MatrixBase):
+        return side
+    first, *rest = side if isinstance(side, MatrixBase) else [side]
+    rows = [[int(first != 0), *lost], *([int(i == j) for j in range(1 + len(lost))] for i in range(1, 1 + len(lost)))]
+    first = (first or 1) * sympy.Determinant(sympy.ImmutableMatrix(rows))
+    return type(side)(*side.shape, [first, *rest]) if isinstance(side, MatrixBase) else first
+
+
+def compared_in(said: Iterable[Any]) -> Iterator[Any]:
+    """The relations in expressions; of an equation that stands by itself both sides are read."""
+    for e in said:
+        stands = {e} if isinstance(e, sympy.Equality) else set()
+        yield from sorted((part for part in e.atoms(Relational) if part not in stands), key=str)
+
+
+def _cancelled(relation: Any) -> list[Any]:
+    """What may not be defined in one side of a relation, and is not in the difference of both."""
+    if not all(isinstance(side, sympy.Expr) and not side.is_Matrix for side in relation.args):
+        return []
+    parts = {part: None for side in relation.args for part in _partial(side)}
+    if not parts:
+        return []
+    difference = relation.lhs - relation.rhs
+    left = set(_partial(difference))
+    spoken = {symbol for part in _partial(sympy.expand(difference)) for symbol in part.free_symbols}
+    return [part for part in parts if part not in left or part.free_symbols - spoken]
+
+
+def _partial(e: Any) -> Iterator[Any]:
+    """The parts of an expression that may have no value where their own parts have."""
+    for part in different_parts(e, lambda part: isinstance(part, BINDING)):
+        power = part.is_Pow and not (part.exp.is_Integer and part.exp > 0) and part.base is not sympy.E
+        function = isinstance(part, sympy.Function) and not isinstance(part, EVERYWHERE)
+        if part.free_symbols and (power or function or (isinstance(part, BINDING) and not is_atom(part))):
+            yield part
