@@ -37,6 +37,8 @@ from chasles.verdict import Fails, Holds, HoldsUnder
 A, B = MatrixSymbol("A", 2, 2), MatrixSymbol("B", 2, 2)
 C, D, u = MatrixSymbol("C", 3, 3), MatrixSymbol("D", 3, 3), MatrixSymbol("u", 3, 1)
 x, y = sp.symbols("x y", real=True)
+z = sp.Symbol("z")
+f = sp.Function("f")(z)
 i, j = sp.symbols("i j", integer=True)
 n = sp.Symbol("n", integer=True, positive=True)
 M = Matrix([[x, y], [1, x]])
@@ -176,6 +178,33 @@ def test_sums_in_sums_are_angles(function: Any, angle: Any, same: Any) -> None:
 )
 def test_what_cancels_when_it_is_written_out_has_to_be_defined_all_the_same(left: Any, right: Any) -> None:
     assert not isinstance(prove(left, right), Holds)
+
+
+@pytest.mark.parametrize(
+    ("e", "rate", "needs"),
+    [
+        (sp.log(z), 1 / z, {"z > 0"}),
+        (y + sp.log(z) * y - y * sp.log(z), 0, set()),
+        (z + sp.log(y), 1, {"y > 0"}),
+        (sp.asin(z), 1 / sp.sqrt(1 - z**2), {"1 - z**2 != 0", "1 - z**2 >= 0"}),
+        (abs(f), sp.sign(f) * f.diff(z), {"f(z) != 0"}),
+        (sp.sqrt(f**2), f.diff(z) * f / abs(f), {"f(z) != 0"}),
+        (sp.Max(f, 0), f.diff(z) * sp.Heaviside(f), {"f(z) != 0"}),
+    ],
+)
+def test_where_a_derivative_is_taken_there_has_to_be_one(e: Any, rate: Any, needs: set[str]) -> None:
+    derivative = sp.Derivative(e, z)
+    for left, right in ((derivative, rate), (derivative**2, rate**2)):
+        assert set(same(left, right).needs) - {"f(z) is real"} == needs
+
+
+@pytest.mark.parametrize(
+    ("e", "rate", "condition"),
+    [(sp.Min(z, 1), 1, z < 1), (sp.acos(sp.cos(z)), 1, sp.And(z > 0, z < sp.pi)), (sp.Max(z, y), 1, z > y)],
+)
+def test_where_an_inequality_is_given_derivatives_are_taken_first(e: Any, rate: Any, condition: Any) -> None:
+    assert same(sp.Derivative(e, z), rate, given=condition).true
+    assert prove(sp.Derivative(e, z), rate + y**2, given=condition).wrong
 
 
 def test_a_value_that_sympy_gets_wrong_is_not_taken() -> None:

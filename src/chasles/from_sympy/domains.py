@@ -1,8 +1,9 @@
-"""Where what is compared is defined: parts that cancel where two sides are subtracted."""
+"""Where what is compared or differentiated is defined: parts that cancel where that is carried out."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import combinations
 from typing import Any
 
 import sympy
@@ -23,12 +24,12 @@ EVERYWHERE = (
 BINDING = ExprWithLimits | sympy.Derivative | sympy.Subs
 
 
-def also_defined(side: Any, relations: Iterable[Any]) -> Any:
-    """The same, but that it has a value only where both sides of relations have: log(x) < log(x) + 1.
+def also_defined(side: Any, lost: Iterable[Any]) -> Any:
+    """The same, but that it has a value only where others have: those that are lost of log(x) < log(x) + 1.
 
     Its first entry is multiplied by one, or zero is said: by a determinant, whose entries have to be defined.
     """
-    lost = [*dict.fromkeys(part for relation in relations for part in _cancelled(relation))]
+    lost = [*dict.fromkeys(lost)]
     if not lost or not isinstance(side, int | sympy.Expr | MatrixBase):
         return side
     first, *rest = side if isinstance(side, MatrixBase) else [side]
@@ -37,14 +38,15 @@ def also_defined(side: Any, relations: Iterable[Any]) -> Any:
     return type(side)(*side.shape, [first, *rest]) if isinstance(side, MatrixBase) else first
 
 
-def compared_in(said: Iterable[Any]) -> Iterator[Any]:
-    """The relations in expressions; of an equation that stands by itself both sides are read."""
+def lost_in(said: Iterable[Any]) -> Iterator[Any]:
+    """What has to be defined in relations and derivatives; of an equation that stands by itself both sides are read."""
     for e in said:
         stands = {e} if isinstance(e, sympy.Equality) else set()
-        yield from sorted((part for part in e.atoms(Relational) if part not in stands), key=str)
+        for part in sorted(e.atoms(Relational, sympy.Derivative) - stands, key=str):
+            yield from cancelled(part) if isinstance(part, Relational) else _differentiated(part)
 
 
-def _cancelled(relation: Any) -> list[Any]:
+def cancelled(relation: Any) -> list[Any]:
     """What may not be defined in one side of a relation, and is not in the difference of both."""
     if not all(isinstance(side, sympy.Expr) and not side.is_Matrix for side in relation.args):
         return []
@@ -64,3 +66,26 @@ def _partial(e: Any) -> Iterator[Any]:
         function = isinstance(part, sympy.Function) and not isinstance(part, EVERYWHERE)
         if part.free_symbols and (power or function or (isinstance(part, BINDING) and not is_atom(part))):
             yield part
+
+
+def _differentiated(rate: Any) -> Iterator[Any]:
+    """What has to be defined for something to have a derivative, and is not in it."""
+    if is_atom(rate):
+        return
+    inside = [*different_parts(rate.expr, lambda part: isinstance(part, BINDING))]
+    yield from (1 / e for part in inside if part.has(*rate.variables) for e in _kinks(part, rate.derivative_count))
+    if wanted := [*_partial(rate.expr)]:
+        left = {*_partial(rate.doit())}
+        yield from (part for part in wanted if part not in left)
+
+
+def _kinks(e: Any, times: int) -> Iterator[Any]:
+    """What does not vanish where a function of its arguments, or a root, has so many derivatives."""
+    if isinstance(e, sympy.Abs | sympy.sign | sympy.Heaviside):
+        yield e.args[0]
+    elif isinstance(e, sympy.Max | sympy.Min):
+        yield from (one - other for one, other in combinations(e.args, 2))
+    elif e.is_Pow and e.exp.is_Rational and not e.exp.is_Integer and 0 < e.exp < times:
+        yield e.base
+    elif isinstance(e, sympy.Piecewise):
+        yield from (part.lhs - part.rhs for part in sorted(e.atoms(Relational), key=str))

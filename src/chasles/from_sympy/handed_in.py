@@ -20,7 +20,7 @@ from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.components import in_components, sides_of, without_implication
 from chasles.from_sympy.decimals import as_decimals
-from chasles.from_sympy.domains import also_defined, compared_in
+from chasles.from_sympy.domains import also_defined, cancelled, lost_in
 from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import atoms_of, excerpt
@@ -35,10 +35,10 @@ def as_said(exact: bool, *said: Any) -> tuple[Any, ...]:
     rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
     if rhs is None:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
-    compared = [lhs] if rhs is None and isinstance(lhs, COMPARED) else []
+    lost = cancelled(lhs) if rhs is None and isinstance(lhs, COMPARED) else []
     lhs, rhs = sides_of(lhs) if rhs is None else (lhs, rhs)
-    lhs, *others = in_components((also_defined(lhs, compared), rhs, *conditions))
-    said = without_points((also_defined(lhs, compared_in(expressions_in([lhs, *others]))), *others))
+    lhs, *others = in_components((also_defined(lhs, lost), rhs, *conditions))
+    said = without_points((also_defined(lhs, lost_in(expressions_in([lhs, *others]))), *others))
     return by_parts(tuple(map(as_decimals, said)) if exact else said)
 
 

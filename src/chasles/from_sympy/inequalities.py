@@ -49,7 +49,12 @@ def without_inequalities(said: Said, by_excess: bool = False) -> Said:
     if not apart and not any(isinstance(item, COMPARED) for item in items):
         return said
     stated = _joined([item for item in items if item not in apart])
-    said = (*said[:2], stated, [*(item for _, item in listed(said[3], "nonzero")), *apart])
+    rates = {rate for e in expressions_in(said[:2]) for rate in e.atoms(sympy.Derivative) if not is_atom(rate)}
+    said = (
+        *with_values(said[:2], {rate: rate.doit() for rate in rates}),
+        stated,
+        [*(item for _, item in listed(said[3], "nonzero")), *apart],
+    )
     compared = [item for item in stated if isinstance(item, COMPARED) and not by_excess]
     for symbol in sorted({s for item in compared for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)

@@ -12,7 +12,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from chasles.checker.expressions.quantities import COMPARING, with_values
+from chasles.checker.expressions.quantities import COMPARING, is_atom, with_values
 from chasles.checker.expressions.readings import is_integral
 from chasles.checker.expressions.visible import is_running, signs_of
 from chasles.checker.sparse import Rejected
@@ -57,7 +57,9 @@ def hidden_in(e: Any) -> Iterator[Any]:
     bound = {limit[0] for part in e.atoms(sympy.Sum, sympy.Product) for limit in part.limits}
     parts = e.atoms(sympy.Pow, sympy.Function, *SCALARS)
     parts |= {1 / sympy.Determinant(part.base) for part in e.atoms(sympy.MatPow) if part.exp.is_negative}
-    yield from (written_out(part) for part in sorted(parts, key=str) if not part.free_symbols & bound)
+    rates = [rate for rate in e.atoms(sympy.Derivative) if not is_atom(rate)]
+    known = (part for part in sorted(parts, key=str) if not (part.free_symbols & bound or part.has(*rates)))
+    yield from map(written_out, known)
 
 
 def _inverse(matrix: Any) -> Any:
