@@ -29,11 +29,13 @@ TRUE = [
     exp(x) >= 1 + x, log(p) <= p - 1, sin(p) < p, exp(-p) < 1, tanh(p) < p, cos(x) >= 1 - x**2 / 2,
     x * exp(-x) <= 1 / sp.E,
     log(1 + p) > p / (1 + p), cosh(x) >= 1 + x**2 / 2, log(p / q) <= p / q - 1,
+    erf(x) > -1, exp(p) > p**2, x**4 + exp(x) > Rational(1, 2), p * log(p) >= -1 / sp.E,
     exp(x + y) >= 1 + x + y, (p + q) * (q + r) * (r + p) >= 8 * p * q * r, p**3 + q**3 + r**3 >= 3 * p * q * r,
 ]  # fmt: skip
 NOT_TRUE = [
     x**4 - 2 * x + 1 > 0, x**3 > x, n**2 >= 2 * n, cos(x) ** 2 > 0, x < floor(x), sp.Mod(x, 3) < 2,
     atan(x) < pi / 2 - Rational(1, 9),
+    erf(x) > -Rational(9, 10), erf(x) < Rational(9, 10), exp(p) > p**3, p * log(p) > -1 / sp.E,
     exp(x) > 1 + x, exp(x) >= 1 + 2 * x, exp(x) >= 1 + x + x**2 / 2, log(p) < p - 1, sin(x) < x, tanh(p) < p / 2,
     cos(x) > 1 - x**2 / 2, 1 - cos(p) > 0, sin(p) > 0, log(p) > 0, 1 / (1 - p) > 0, sqrt(p) > p,
     x**2 + y**2 > 2 * x * y, (x**2 - 2) ** 2 > 0, sin(x) < 1, sp.Ne(cos(x), 1), (sqrt(p) - 3) ** 2 > 0,
@@ -93,6 +95,64 @@ def test_slopes_say_signs_where_a_function_is_smooth_and_all_known_holds_before(
 ) -> None:
     case = CheckedCase(((e,), (sp.S.Zero,)), (), (), facts=facts)
     assert case.signs(e) == signs
+
+
+@pytest.mark.parametrize(
+    ("claim", "low", "high", "held"),
+    [
+        (sin(x) >= 2 * x / pi, 0, pi / 2, True),  # a concave function lies above its chord, as Jordan's inequality says
+        (sin(x) >= 21 * x / (10 * pi), 0, pi / 2, False),
+        (sin(x) > 2 * x / pi, 0, pi / 2, False),
+        (exp(x) <= 1 + (sp.E - 1) * x, 0, 1, True),
+        (exp(x) <= 1 + (sp.E - 1) * x, 0, 2, False),
+        (exp(x) >= 2 * x + Rational(3, 5), -1, 1, True),
+        (exp(x) >= 2 * x + Rational(62, 100), -1, 1, False),
+        (log(1 + x) >= x * log(2), 0, 1, True),
+        (x * cos(x) <= sin(x), 0, pi, True),
+        (x * cos(x) <= sin(x), 0, 5, False),
+    ],
+    ids=str,
+)
+def test_between_two_ends_a_sign_is_seen_piece_by_piece(claim: sp.Rel, low: Any, high: Any, held: bool) -> None:
+    given = [x >= low, x <= high]
+    verdict = prove(claim, given=given)
+    assert isinstance(verdict, HoldsUnder if held else Fails)
+    recheck(verdict, claim, given=given)
+
+
+def between(e: sp.Expr, rest: sp.Expr, kind: str = "positive") -> frozenset[int]:
+    """The signs of an expression of d where d and others add up to a number."""
+    put = {d: sp.Symbol("d", **{kind: True})}
+    return (
+        CheckedCase(((e,), (sp.S.Zero,)), ((d + rest, sp.S.Zero),), ())
+        .each(lambda e: e.xreplace(put))
+        .signs(e.xreplace(put))
+    )
+
+
+@pytest.mark.parametrize(
+    ("e", "rest", "signs"),
+    [
+        (exp(d) - 1, p - 1, {1}),
+        (exp(d) - sp.E, p - 1, {-1}),
+        (exp(d) - sp.E, sp.Symbol("s", nonnegative=True) - 1, {-1, 0}),
+        (exp(d) - sp.E, -p - 1, {-1, 0, 1}),  # d is not bounded
+        (exp(d) - sp.E, y - 1, {-1, 0, 1}),  # nor here, where nothing is known of y
+        (exp(d) - 2, p - 1, {-1, 0, 1}),
+        (exp(d) - 1 / (2 * d - 1), p - 1, {-1, 0, 1}),  # a pole between
+        (sqrt(2 * d - 1) - exp(d), p - 1, {-1, 0, 1}),  # not real everywhere
+        (exp(d) - floor(2 * d) - 1, p - 2, {-1, 0, 1}),  # not smooth
+        (
+            (3 * d - 1) * (exp(3 * d) - sp.E),
+            p - 1,
+            {-1, 0, 1},
+        ),  # what is zero between is not told from what changes its sign
+    ],
+    ids=str,
+)
+def test_pieces_are_those_of_a_smooth_function_up_to_an_end(e: sp.Expr, rest: sp.Expr, signs: set[int]) -> None:
+    found = between(e, rest)
+    assert found >= signs if len(signs) < 3 else found == signs
 
 
 @pytest.mark.parametrize("on", ["sqrt(-1)*x", "x*w", "exp(x)", "1", "x + oo", "__import__('os')"])

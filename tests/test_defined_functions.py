@@ -105,7 +105,7 @@ def test_values_refute(left: Any, right: Any) -> None:
 
 
 def test_of_functions_that_are_only_bounded_nothing_else_is_told() -> None:
-    for left, right in ((sp.erf(x), 0), (sp.erf(x), sp.erf(y)), (sp.erf(x), sp.Si(x))):
+    for left, right in ((sp.Si(x), 0), (sp.Si(x), sp.Si(y)), (sp.erf(x), sp.Si(x))):
         assert isinstance(prove(left, right), Undecided)
     order = Rational(1, 3)
     assert isinstance(prove(sp.besselj(order, x) * 2, sp.besselj(order, x) + sp.besselj(order, x) * y / y), Undecided)

@@ -35,6 +35,7 @@ def test_elementary_functions(x: Fraction) -> None:
         holds(cosine, mpmath.cos(of(x)))
         holds(sine, mpmath.sin(of(x)))
         holds(FINE.atan(interval), mpmath.atan(of(x)))
+        holds(FINE.erf(interval), mpmath.erf(of(x)))
         if abs(x) <= 60:
             holds(FINE.exp(interval), mpmath.exp(of(x)))
         if x > 0:

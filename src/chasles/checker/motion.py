@@ -100,8 +100,7 @@ def require_motion(reading: PolynomialProblem, point: Point) -> None:
     """
     if reading.unclosed:
         raise Rejected(f"it is not known what {reading.unclosed[0]} demands of all rates")
-    variables = enumerate(reading.variables)
-    new = [place for place, what in variables if what[0] == "entry" and what[2] > reading.highest]
+    new = [place for place, what in enumerate(reading.variables) if what[0] == "entry" and what[2] > reading.highest]
     moving = _moving(reading, point)
     rows, stated = [], []
     for origin, polynomial in reading.ahead:

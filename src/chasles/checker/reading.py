@@ -56,8 +56,7 @@ class PolynomialProblem(Quantities):
 
     def __init__(self, problem: Problem, names: Iterable[str]) -> None:
         found = (re.fullmatch(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)", name) for name in names)
-        units = {m[2]: Fraction(int(m[1] or 1), int(m[3] or 1)) for m in found if m}
-        super().__init__(dict(problem.rules), units)
+        super().__init__(dict(problem.rules), {m[2]: Fraction(int(m[1] or 1), int(m[3] or 1)) for m in found if m})
         self.problem = problem
         self.conditions: list[Polynomial] = []
         self.positive: list[tuple[str, Polynomial]] = []

@@ -73,7 +73,7 @@ def _proved(
     verdict = decide(question)
     if not isinstance(verdict, Holds | HoldsUnder) or "unread" in verdict.certificate:
         return None
-    said = {text for item in question.sources.values() for text in item}
+    said = {text for item in question.sources.values() for text in item} | {f"{e.lhs} = {e.rhs}" for e in known}
     needs = tuple(text for text in verdict.needs if text not in said)
     certificate: dict[str, Any] = {"proof": verdict.certificate, "needs": list(verdict.needs)}
     if general.meanings or facts:

@@ -15,6 +15,7 @@ FRACTIONS = map(sympy.Rational, ("0", "1", "1/2", "2", "1/4", "4", "1/3", "3"))
 NUMBERS = [
     side * n for n in (*FRACTIONS, sympy.E, sympy.exp(-1), sympy.pi / 2, sympy.pi) for side in ((1, -1) if n else (1,))
 ]
+FAR = 4
 MOST_NUMBERS, MOST_SYMBOLS, MOST_TERMS = 3, 3, 60
 CALLED = (sympy.exp, sympy.sin, sympy.cos, sympy.sinh, sympy.cosh, sympy.tanh, sympy.atan)
 
@@ -22,12 +23,14 @@ CALLED = (sympy.exp, sympy.sin, sympy.cos, sympy.sinh, sympy.cosh, sympy.tanh, s
 def thresholds(case: CheckedCase) -> list[Any]:
     """What is to have a known sign, so that what decides a form has one: of one symbol, its distance from numbers.
 
-    There something vanishes, or does not change to the first order. Of several symbols it is which one is larger.
+    There something vanishes, or does not change to the first order; if it nowhere does so, a piece around zero is told
+    from what is far. Of several symbols it is which one is larger.
     """
     e = next((part.args[0] for part in case.switches() if isinstance(part, sympy.Abs | sympy.sign)), sympy.S.Zero)
     symbols = sorted(e.free_symbols, key=str)
     if len(symbols) == 1:
         gaps = [symbols[0] - number for number in NUMBERS if _is_flat(e, symbols[0], number)]
+        gaps = gaps or ([] if e.is_rational_function() else [symbols[0] - FAR, symbols[0] + FAR])
         return [gap for gap in gaps if len(visible_signs(gap)) == 3][:MOST_NUMBERS]
     if not symbols or len(symbols) > MOST_SYMBOLS or (e.is_rational_function() and not _has_sign_in_order(e, symbols)):
         return []

@@ -23,9 +23,7 @@ def determined_angle(left: Node, right: Node, unknowns: Iterable[Symbol]) -> tup
         return None
     divisor = -multiples.pop(sought[0])
     terms: list[Node] = [Scale(Number(multiple / divisor), symbol) for symbol, multiple in multiples.items()]
-    if not terms:
-        return None
-    return sought[0], terms[0] if len(terms) == 1 else Sum(tuple(terms))
+    return (sought[0], terms[0] if len(terms) == 1 else Sum(tuple(terms))) if terms else None
 
 
 def _multiples(node: Node) -> Multiples | None:

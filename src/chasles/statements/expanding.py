@@ -37,8 +37,8 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
     if any(isinstance(part, UpTo | Limit) for side in sides for part in w.walk(side)):
         raise w.Misfit("a limit is the whole left side of a claim, and an order belongs to its whole right side")
     length = exponent + 2
-    expansion = _Expansion(small, length, rules)
     while True:
+        expansion = _Expansion(small, length, rules)
         try:
             one, other = map(expansion, sides)
             if min(one.known, other.known) >= exponent:
@@ -49,11 +49,9 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
         if length > MOST_TERMS:
             raise reason
         length *= 2
-        expansion = _Expansion(small, length, rules)
     yield from _compared(left, one, other, exponent, "")
     if expansion.has_absolute_values:
-        below = _Expansion(small, length, rules, below=True)
-        one, other = map(below, sides)
+        one, other = map(_Expansion(small, length, rules, below=True), sides)
         yield from _compared(left, one, other, exponent, f", {small} < 0")
 
 
@@ -199,6 +197,5 @@ class _Expansion:
         inner = self(argument)
         if inner.begin < 0 and (inner.lead or 0) < 0:
             raise w.Misfit(f"{w.plain(node)} is not expanded: its argument grows without bound")
-        around = inner.coefficient(0)
-        slopes = taylor(name, around, self.length, node)
+        slopes = taylor(name, inner.coefficient(0), self.length, node)
         return composed(slopes, behind(inner), self.length)

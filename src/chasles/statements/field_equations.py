@@ -88,8 +88,7 @@ def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
             found += pairs
         if found:
             kind = each.kind if each.kind in ASSUMED else "everywhere"
-            sides = sum(found, ())
-            yield Hypothesis(kind, sides, tuple(found), (), each.latex, f"{each.text} everywhere", free=True)
+            yield Hypothesis(kind, sum(found, ()), tuple(found), (), each.latex, f"{each.text} everywhere", free=True)
 
 
 def _is_linear(hypothesis: Hypothesis) -> bool:

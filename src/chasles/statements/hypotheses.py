@@ -84,8 +84,7 @@ def _scalar(subject: Node, kind: str) -> None:
 def unit(vector: Node) -> Hypothesis:
     """The vector has length one."""
     _symbols("unit", vector)
-    equation = (w.Dot(vector, vector), w.Number(Fraction(1)))
-    return said_of("unit", (vector,), r"\|{0}\| = 1", "|{0}| = 1", equation)
+    return said_of("unit", (vector,), r"\|{0}\| = 1", "|{0}| = 1", (w.Dot(vector, vector), w.Number(Fraction(1))))
 
 
 @declaring
@@ -94,8 +93,7 @@ def unit_column(*parts: Node) -> Hypothesis:
     _symbols("unit_column", *parts)
     places = ", ".join(f"{{{place}}}" for place in range(len(parts)))
     total = w.Sum(tuple(part * part if part.is_scalar else w.Dot(part, part) for part in parts))
-    equation = (total, w.Number(Fraction(1)))
-    return said_of("unit column", parts, rf"\|[{places}]\| = 1", f"|[{places}]| = 1", equation)
+    return said_of("unit column", parts, rf"\|[{places}]\| = 1", f"|[{places}]| = 1", (total, w.Number(Fraction(1))))
 
 
 @declaring

@@ -40,8 +40,7 @@ class Inverses:
     def hypothesis(self, said: Hypothesis) -> Hypothesis:
         """The same said without inverses."""
         found = said.rewritten(self)
-        same = (found.nonvanishing, found.equations) == (said.nonvanishing, said.equations)
-        return said if same else found
+        return said if (found.nonvanishing, found.equations) == (said.nonvanishing, said.equations) else found
 
     def _inverse(self, of: Node) -> Node:
         """The inverse of a scalar or a matrix."""

@@ -143,8 +143,7 @@ class Lengths:
         return True
 
     def _turns(self, matrix: Node) -> bool:
-        inner = matrix.of if isinstance(matrix, w.Transpose | w.Group) else matrix
-        return self._says("rotation", inner)
+        return self._says("rotation", matrix.of if isinstance(matrix, w.Transpose | w.Group) else matrix)
 
     def _says(self, kind: str, subject: Node) -> bool:
         hypothesis = self._known.get((kind, subject))

@@ -121,11 +121,8 @@ def total(one: PowerSeries, other: PowerSeries) -> PowerSeries:
     """The sum of two series."""
     known, begin = min(one.known, other.known), min(one.begin, other.begin)
     end = min(known, max(one.begin + len(one.terms), other.begin + len(other.terms)))
-    terms = []
-    for k in range(begin, end):
-        a, b = one.coefficient(k), other.coefficient(k)
-        terms.append(a if b is None else _plus(a, b))
-    return PowerSeries(begin, tuple(terms), known)
+    pairs = ((one.coefficient(k), other.coefficient(k)) for k in range(begin, end))
+    return PowerSeries(begin, tuple(a if b is None else _plus(a, b) for a, b in pairs), known)
 
 
 def is_zero(node: Node) -> bool:

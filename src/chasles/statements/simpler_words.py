@@ -76,10 +76,8 @@ def _lengths(node: Node) -> tuple[Node, ...]:
 def in_simpler_words(problem: Problem) -> Problem:
     """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
     problem = _differentiated(problem).said_otherwise(opened, lambda said: said.rewritten(opened))
-    sides = problem.sides_and_rules
-    inverses = Inverses(problem.hypotheses, dict(problem.rules), any_size=bool(sizes_of(sides)))
-    at_work = reached(problem.sides, dict(problem.rules))
-    found = problem.said_otherwise(inverses, inverses.hypothesis, at_work)
+    inverses = Inverses(problem.hypotheses, dict(problem.rules), any_size=bool(sizes_of(problem.sides_and_rules)))
+    found = problem.said_otherwise(inverses, inverses.hypothesis, reached(problem.sides, dict(problem.rules)))
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
 

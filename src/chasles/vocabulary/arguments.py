@@ -124,16 +124,13 @@ def fits(value: Any, hint: Any) -> bool:
     if origin in (tuple, Sequence):
         known = isinstance(value, tuple if origin is tuple else tuple | list)
         every = known and every_part(hint)
-        return all(fits(one, every) for one in value) if every else known and _all_fit(value, parts)
+        hints = (every,) * len(value) if every else parts
+        return known and len(value) == len(hints) and all(map(fits, value, hints))
     if origin is not None:
         return isinstance(value, origin)
     if getattr(hint, "_is_protocol", False):
         return not isclass(value) and all(hasattr(value, name) for name in vars(hint) if not name.startswith("_"))
     return isinstance(value, hint) and not (isinstance(value, bool) and hint is not bool)
-
-
-def _all_fit(values: tuple[Any, ...], hints: tuple[Any, ...]) -> bool:
-    return len(values) == len(hints) and all(map(fits, values, hints))
 
 
 def every_part(hint: Any) -> Any:

@@ -108,5 +108,4 @@ def field(symbol: Symbol, *variables: Node) -> Field:
             raise WrongArgument(f"a field depends on symbols of known size, or rates of symbols, and {by} is none")
     if not variables or symbol.stands_for is not None:
         raise WrongArgument("field(symbol, *variables) takes a symbol and what it depends on: field(v, x, t)")
-    said = {each.name: getattr(symbol, each.name) for each in fields(symbol)}
-    return Field(**said, variables=variables)
+    return Field(**{each.name: getattr(symbol, each.name) for each in fields(symbol)}, variables=variables)

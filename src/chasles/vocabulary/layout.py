@@ -41,8 +41,7 @@ class Block(Node):
         return sum(self.rows, ())
 
     def _measured(self) -> Measure:
-        measures = [[measured(block) for block in row] for row in self.rows]
-        return stacked(measures, self.rows)
+        return stacked([[measured(block) for block in row] for row in self.rows], self.rows)
 
 
 @word

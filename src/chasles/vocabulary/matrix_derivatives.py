@@ -124,8 +124,7 @@ class _Derivative:
         if node.is_scalar:
             yield _times(left, right, Transpose(self.gradient(node)))
         elif node == self.by:
-            identity = Identity(node.shape[0]) if left is None or left.is_scalar else None
-            yield _times(left, identity, right)
+            yield _times(left, Identity(node.shape[0]) if left is None or left.is_scalar else None, right)
         else:
             for part in self._between(left, node, right):
                 yield from self.jacobian(*part)
@@ -192,8 +191,7 @@ def _around(left: Node | None, factors: tuple[Node, ...], right: Node | None) ->
     """Each factor between those before it and those behind it."""
     for k, factor in enumerate(factors):
         before = Contract(factors[:k]) if k else None
-        behind = Contract(factors[k + 1 :]) if factors[k + 1 :] else None
-        yield _joined(left, before), factor, _joined(behind, right)
+        yield _joined(left, before), factor, _joined(Contract(factors[k + 1 :]) if factors[k + 1 :] else None, right)
 
 
 def _joined(one: Node | None, other: Node | None) -> Node | None:

@@ -78,9 +78,7 @@ class Node(Displayed, Fitted):
         return Scale(factor, self) if other >= 0 else Negative(Scale(lifted(-other), self))
 
     def __truediv__(self, other: Node | int | Fraction) -> Node:
-        if isinstance(self, Negative):
-            return Negative(self.term / other)
-        return Quotient(self, lifted(other))
+        return Negative(self.term / other) if isinstance(self, Negative) else Quotient(self, lifted(other))
 
     def __rtruediv__(self, other: int | Fraction) -> Quotient:
         return Quotient(lifted(other), self)

@@ -119,8 +119,7 @@ def blocks_of(measure: Measure) -> tuple[tuple[Extent, ...], tuple[Extent, ...]]
 def partition_beside(left: Sequence[Measure], above: Sequence[Measure]) -> Partition | None:
     """The partition of a grid with rows as high as those at the left and columns as wide as those above."""
     rows = sum((extents_of(each)[0] for each in left), ())
-    columns = sum((extents_of(each)[1] for each in above), ())
-    return partition_of(rows, columns)
+    return partition_of(rows, sum((extents_of(each)[1] for each in above), ()))
 
 
 def partition_of(rows: tuple[Extent, ...], columns: tuple[Extent, ...]) -> Partition | None:

@@ -64,8 +64,7 @@ class PointAtSizes:
             case w.Symbol(stands_for=w.Node() as of) | w.Group(of) | w.At(of, "t"):
                 return self._of(of)
             case w.Symbol(name):
-                names = entry_names(name, *node.shape)
-                return [[self.at.get(each, Fraction(0)) for each in row] for row in names]
+                return [[self.at.get(each, Fraction(0)) for each in row] for row in entry_names(name, *node.shape)]
             case w.Inverse(of):
                 matrix = self._of(of)
                 size, one = range(len(matrix)), Fraction(1)

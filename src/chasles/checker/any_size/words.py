@@ -165,8 +165,7 @@ class SymbolicReading(KnownRelations):
             if spelled in self.inverses:
                 zero = self.product(one, self.determinants.of_words(self.inverses[spelled][1], size))
                 added(zero, {((), ()): Fraction(1)}, Fraction(-1))
-                needs = self.known[f"{spelled} from the right [1, 1]"].needs
-                self.note(f"det({spelled})", zero, 1, 1, needs)
+                self.note(f"det({spelled})", zero, 1, 1, self.known[f"{spelled} from the right [1, 1]"].needs)
         return total
 
     def _inverse(self, of: w.Node) -> Blocks:
@@ -175,8 +174,7 @@ class SymbolicReading(KnownRelations):
         if [*matrix.rows[0][0]] == [((), ())] and of.is_scalar:
             return multiplied(Blocks((1,), (1,), [[{((), ()): Fraction(1)}]]), 1 / matrix.rows[0][0][(), ()])
         text = self._nonvanishing(of)
-        key = key_of(matrix)
-        found = self.lettered(("inverse", key), f"inverse({of})", matrix.widths, matrix.heights)
+        found = self.lettered(("inverse", key_of(matrix)), f"inverse({of})", matrix.widths, matrix.heights)
         identity = self(w.Identity(of.shape[0])) if not of.is_scalar else self(w.Number(Fraction(1)))
         if len(matrix.heights) == 1:
             self.inverses[f"inverse({of})"] = found.rows[0][0], matrix.rows[0][0]

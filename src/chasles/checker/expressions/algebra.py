@@ -47,8 +47,7 @@ class QuotientRing:
         while any(monomial & self._twice for monomial in polynomial.terms):
             parts: dict[int, dict[int, int]] = {}
             for monomial, coefficient in polynomial.terms.items():
-                pairs = exponents(monomial & self._twice)
-                halves = sum(packed(place, power // 2) for place, power in pairs)
+                halves = sum(packed(place, power // 2) for place, power in exponents(monomial & self._twice))
                 parts.setdefault(halves, {})[monomial - 2 * halves] = coefficient
             total = ZERO
             for halves, terms in parts.items():
@@ -115,9 +114,7 @@ class QuotientRing:
 
 def constant(polynomial: Polynomial) -> Fraction | None:
     """The number that a polynomial is; None if it is none."""
-    if polynomial.terms.keys() <= {0}:
-        return Fraction(polynomial.terms.get(0, 0), polynomial.below)
-    return None
+    return Fraction(polynomial.terms.get(0, 0), polynomial.below) if polynomial.terms.keys() <= {0} else None
 
 
 def primitive(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:

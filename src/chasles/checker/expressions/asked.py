@@ -87,8 +87,7 @@ class Asked:
         return GivenEquation(text, {key: (left[key], right[key]) for key in left})
 
     def _nonzero(self, item: Any) -> Any:
-        value = item.lhs - item.rhs if isinstance(item, sympy.Unequality) else item
-        (entry,) = self._entries(value).values()
+        (entry,) = self._entries(item.lhs - item.rhs if isinstance(item, sympy.Unequality) else item).values()
         return entry
 
 

@@ -110,8 +110,7 @@ class AtPoint(Expressions, Reals):
             found = [name for name in self.turns if self._unit(name, monomial) is not None]
             cosines = [name for name in found if name.startswith("cos")]
             if not found:
-                angle = self.value_of(Polynomial({monomial: unit.numerator}, unit.denominator))
-                return unit, *self.direction(angle)
+                return unit, *self.direction(self.value_of(Polynomial({monomial: unit.numerator}, unit.denominator)))
             if len(cosines) != 1 or "sin" + cosines[0][3:] not in found:
                 raise UnknownValue(f"no cosine and sine are given for {self._spelled(monomial)}")
             unit = self._unit(cosines[0], monomial) or unit
@@ -183,8 +182,7 @@ class AtPoint(Expressions, Reals):
 
     def _require_fit(self, monomial: int) -> None:
         unit, cosine, sine = self.circle_of[monomial]
-        angle = self.value_of(Polynomial({monomial: 1})) * number(unit)
-        known = self._direction(angle)
+        known = self._direction(self.value_of(Polynomial({monomial: 1})) * number(unit))
         if known is None:
             raise Rejected(f"the cosine of {self._spelled(monomial)} is not known at the point")
         c, s = known

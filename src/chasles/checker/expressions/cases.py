@@ -117,13 +117,16 @@ class CheckedCase:
         """The signs that an expression may have, at most so many derivatives being taken one of the other."""
         sign = self.sign(e)
         found = visible_signs(sympy.expand(e)) if sign is None else frozenset((sign,))
+        if len(found) < 3:
+            return found
+        from chasles.checker.expressions.slopes import by_slope, up_to_end  # few questions are of such inequalities
+
+        found = up_to_end(self, e) if slopes == MOST_SLOPES else found
         if len(found) < 3 or e.is_rational_function():
             return found
         above, below = sympy.fraction(sympy.together(e)) if slopes > MOST_SLOPES - 2 else (e, sympy.S.One)
         if below.free_symbols and (under := self.signs(below, slopes - 1)) in ({1}, {-1}):
             found = frozenset(sign * min(under) for sign in self.signs(above, slopes))
-        from chasles.checker.expressions.slopes import by_slope  # few questions are of inequalities between functions
-
         return by_slope(self, e, slopes) if len(found) == 3 else found
 
     def _deciding_sign(self, part: Any, e: Any) -> int | None:
@@ -231,8 +234,7 @@ class CheckedCase:
 
     def required_inside(self) -> list[tuple[str, ...]]:
         """What is to be said of those within, where it is not seen in this case whether it holds."""
-        unseen = (power for power in self.within() if self.sign(self.here(power.base)) is None)
-        return [texts for power in unseen for texts in _requirements(power)]
+        return [need for p in self.within() if self.sign(self.here(p.base)) is None for need in _requirements(p)]
 
     def here(self, e: Any) -> Any:
         """An expression of the question in this case."""

@@ -52,8 +52,7 @@ def _check(found: Any, place: tuple[int, int], asked: Asked) -> None:
     imaginary = variable(point.fresh("I", number(-1)))
     spoken = Spoken(point, point.spelled() | {"I": imaginary})
     for text, (real, rest) in ((found.left, left), (found.right, right)):
-        value = real + rest * imaginary
-        gap = spoken(text) - value
+        gap = spoken(text) - (real + rest * imaginary)
         if not (point.vanishes(gap) or (not rest and point.is_near(gap, Fraction(0), NEAR))):
             raise Rejected(f"a side is not {text} at the point")
 

@@ -37,16 +37,16 @@ class EnclosedValues:
     def __init__(self, point: Mapping[Any, Any], bits: int = BITS) -> None:
         self.point = point
         self.at = Enclosing(bits)
-        self._known: dict[Any, Enclosure] = {}
+        self.known: dict[Any, Enclosure] = {}
 
     def __call__(self, e: Any) -> Enclosure:
         """What holds the value; raises `Rejected` where there may be none, or none is known."""
-        if e not in self._known:
+        if e not in self.known:
             try:
-                self._known[e] = self._of(e)
+                self.known[e] = self._of(e)
             except Unbounded as reason:
                 raise Rejected(f"{e} may have no value at the point: {reason}") from None
-        return self._known[e]
+        return self.known[e]
 
     def _of(self, e: Any) -> Enclosure:
         if e in self.point:
@@ -110,12 +110,8 @@ def written(part: Any, sign_of: Sign) -> Any:
                 return part.func(*(e for e in part.args if e != lost))
         return None
     sign = sign_of(part.args[0])
-    if sign is None:
-        return None
-    if isinstance(part, sympy.Abs):
-        return sign * part.args[0]
-    if isinstance(part, sympy.sign):
-        return sympy.Integer(sign)
+    if sign is None or isinstance(part, sympy.Abs | sympy.sign):
+        return None if sign is None else sign * (part.args[0] if isinstance(part, sympy.Abs) else sympy.S.One)
     return sympy.Integer(max(sign, 0)) if sign else part.args[1]
 
 
@@ -168,6 +164,7 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     **dict.fromkeys((sympy.Piecewise, sympy.sign, sympy.Heaviside), lambda of, e: of(written(e, of.sign))),
     **dict.fromkeys((Floor, sympy.floor), _floor), **dict.fromkeys(BOUNDED, _bounded),
     sympy.Mod: lambda of, e: of(remainder(e)), sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
+    sympy.erf: lambda of, e: of.at.erf(of(e.args[0])),
     sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
     sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
     sympy.cos: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[0],

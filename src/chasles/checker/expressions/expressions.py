@@ -223,6 +223,5 @@ class Expressions(QuotientRing):
             text = f"{unit.numerator if unit.numerator > 1 else ''}{name}"
             text += f"/{unit.denominator}" if unit.denominator > 1 else ""
             cosine = variable(self.named(f"cos({text})"))
-            sine = variable(self.named(f"sin({text})", ONE - cosine * cosine))
-            self.circles[monomial] = unit, cosine, sine
+            self.circles[monomial] = unit, cosine, variable(self.named(f"sin({text})", ONE - cosine * cosine))
         return self.circles[monomial]

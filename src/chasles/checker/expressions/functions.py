@@ -47,8 +47,7 @@ class Functions:
         """The exponential of a sum."""
         total = ONE
         for monomial, coefficient in self.reading.normal(value).terms.items():
-            factor = self._exponential(monomial, Fraction(coefficient, value.below))
-            total = self.reading.normal(total * factor)
+            total = self.reading.normal(total * self._exponential(monomial, Fraction(coefficient, value.below)))
         return total
 
     def raised(self, value: Polynomial, multiple: int) -> Polynomial:
@@ -142,8 +141,7 @@ class Functions:
         """A power of a product of powers that this makes whole again."""
         root, degree = self.roots.get(frozenset(value.terms.items()), (-1, 1))
         if root < 0 and self.roots and self.reading.is_known(value):
-            square = self.reading.normal(value * value)
-            root, degree = self.roots.get(frozenset(square.terms.items()), (-1, 2))
+            root, degree = self.roots.get(frozenset(self.reading.normal(value * value).terms.items()), (-1, 2))
             degree //= 2
         if root >= 0 and value.below == 1 and (exponent * degree).denominator == 1:
             return self._power(variable(root), int(exponent * degree))
@@ -184,12 +182,10 @@ class Functions:
                 sign *= -1 if known < 0 and power % 2 else 1
             elif power % 2 and is_positive(self.reading, -base):
                 sign = -sign
-            elif power % 2 and not (self._is_root(base) or is_positive(self.reading, base)):
-                odd ^= {terms_of(base)}
+            elif power % 2 and not is_positive(self.reading, base):
+                is_root = len(base.terms) == 1 and base.places <= self.reading.words
+                odd ^= frozenset() if is_root else {terms_of(base)}
         return odd, sign
-
-    def _is_root(self, base: Polynomial) -> bool:
-        return len(base.terms) == 1 and base.places <= self.reading.words
 
     def require_positive(self, value: Polynomial) -> None:
         """Something is positive: that is visible, or has to be said."""

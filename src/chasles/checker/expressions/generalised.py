@@ -96,8 +96,7 @@ class Generalised:
         if str(e) in self.taken:
             raise Rejected(f"a symbol is called {e}, as something else is written")
         plain = isinstance(e, sympy.cos) or not isinstance(e, sympy.Function | sympy.Number)
-        name = str(e) if plain else f"({e})"
-        return self.symbols.setdefault(e, sympy.Symbol(name, real=True, **assumed))
+        return self.symbols.setdefault(e, sympy.Symbol(str(e) if plain else f"({e})", real=True, **assumed))
 
     def _root(self, base: Any, degree: int) -> Any:
         """The positive root of a positive number, whose power is known."""

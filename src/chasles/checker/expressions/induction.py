@@ -111,8 +111,7 @@ def joined(
     for name in {str(letter), *(str(s) for s in hypothesis.free_symbols if str(s) not in known)}:
         if any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for text in base | step):
             raise Rejected(f"what is needed depends on {name}")
-    more = parts[base <= step]
-    witness = {name: value for name, value in more.witness.items() if name in known}
+    witness = {name: value for name, value in parts[base <= step].witness.items() if name in known}
     return base | step, {**witness, str(letter): least}
 
 
@@ -124,8 +123,8 @@ def at_numbers(found: Counterexample, *asked: Any) -> tuple[Any, ...]:
     if not any(isinstance(side, sympy.Expr) and side.has(*LONG) for side in asked[:2]):
         return found, *asked
     left, right, given, nonzero = question = scalar_question(*asked)
-    at = {each: found.at[str(each)] for each in letters_of(question) if str(each) in found.at}
-    letters = {each: sympy.sympify(value, strict=True) for each, value in at.items()}
+    at = [each for each in letters_of(question) if str(each) in found.at]
+    letters = {each: sympy.sympify(found.at[str(each)], strict=True) for each in at}
     for letter, value in letters.items():
         if not value.is_Integer or (letter.is_positive and value < 1) or (letter.is_nonnegative and value < 0):
             raise Rejected(f"{letter} is not {value}")

@@ -49,6 +49,11 @@ class Enclosure:
         return 0 if self.low == self.high == 0 else None
 
 
+def _increasing(function: Callable[[Enclosing, int], Enclosure]) -> Callable[[Enclosing, Enclosure], Enclosure]:
+    """A function that increases, from what it is at both ends."""
+    return lambda at, x: Enclosure(function(at, x.low).low, function(at, x.high).high)
+
+
 class Enclosing:
     """Arithmetic with so many binary digits after the point."""
 
@@ -84,10 +89,9 @@ class Enclosing:
         """An integral power."""
         if exponent < 0:
             return self.inverse(self.power(x, -exponent))
-        total, square = self.number(1), x
         if exponent % 2 == 0 and exponent and x.low < 0:
             x = Enclosure(0 if x.high >= 0 else -x.high, max(-x.low, x.high))
-            square = x
+        total, square = self.number(1), x
         while exponent:
             total = self.times(total, square) if exponent % 2 else total
             square, exponent = self.times(square, square), exponent // 2
@@ -106,26 +110,19 @@ class Enclosing:
         exponent = self.log(Enclosure(x, x)) if x else Enclosure(-LARGEST * self.one * degree, 0)
         return self.exp(Enclosure(exponent.low // degree, -(-exponent.high // degree)))
 
-    def increasing(self, function: Callable[[int], Enclosure], x: Enclosure) -> Enclosure:
-        """A function that increases, from what it is at both ends."""
-        return Enclosure(function(x.low).low, function(x.high).high)
-
     @property
     def pi(self) -> Enclosure:
         """Machin's formula: pi = 16 arctan(1/5) - 4 arctan(1/239)."""
         return _pi(self.bits)
 
-    def exp(self, x: Enclosure) -> Enclosure:
+    @_increasing
+    def exp(self, x: int) -> Enclosure:
         """The exponential function; raises `Unbounded` for a very large argument."""
-        if max(abs(x.low), abs(x.high)) > LARGEST * self.one:
+        if abs(x) > LARGEST * self.one:
             raise Unbounded("an exponent is very large")
-        return self.increasing(self._exp, x)
-
-    def _exp(self, x: int) -> Enclosure:
         halvings = max(self.halvings, abs(x).bit_length() - self.bits + self.halvings)
         finer = Enclosing(self.bits + 2 * halvings + max(0, 2 * (x >> self.bits)) + HALVINGS)
-        small = finer.number(Fraction(x, self.one << halvings))
-        total = finer.series(small, lambda k: Fraction(1, k))
+        total = finer.series(finer.number(Fraction(x, self.one << halvings)), lambda k: Fraction(1, k))
         for _ in range(halvings):
             total = finer.times(total, total)
         return self.coarser(total, finer)
@@ -160,19 +157,15 @@ class Enclosing:
         for _ in range(doublings):
             both = finer.times(sine, cosine)
             cosine, sine = finer.times(cosine, cosine) - finer.times(sine, sine), both + both
-        found = []
-        for value in (self.coarser(cosine, finer), self.coarser(sine, finer)):
-            found.append(Enclosure(max(value.low - reach, -self.one), min(value.high + reach, self.one)))
-        return found[0], found[1]
+        found = (self.coarser(value, finer) for value in (cosine, sine))
+        cosine, sine = (Enclosure(max(e.low - reach, -self.one), min(e.high + reach, self.one)) for e in found)
+        return cosine, sine
 
-    def log(self, x: Enclosure) -> Enclosure:
-        """The natural logarithm; raises `Unbounded` if the number may be zero or negative."""
-        if x.low <= 0:
+    @_increasing
+    def log(self, x: int) -> Enclosure:
+        """The natural logarithm, by that of x / 2^n and of 2; raises `Unbounded` where it may not be real."""
+        if x <= 0:
             raise Unbounded("a logarithm may not be real")
-        return self.increasing(self._log, x)
-
-    def _log(self, x: int) -> Enclosure:
-        """Log x = n log 2 + log(x / 2^n)."""
         size = x.bit_length() - self.bits
         finer = Enclosing(self.bits + 4 * self.halvings + size.bit_length())
         rest = finer.log_of_moderate(finer.number(Fraction(x, self.one) / Fraction(2) ** size))
@@ -185,23 +178,32 @@ class Enclosing:
         for _ in range(self.halvings):
             x = self.root(x, 2)
         ratio = self.times(x - self.number(1), self.inverse(x + self.number(1)))
-        square = self.times(ratio, ratio)
-        total = self.times(ratio, self.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1)))
+        total = self.times(ratio, self.series(self.times(ratio, ratio), lambda k: Fraction(2 * k - 1, 2 * k + 1)))
         return Enclosure(total.low << self.halvings + 1, total.high << self.halvings + 1)
 
-    def atan(self, x: Enclosure) -> Enclosure:
-        """The inverse tangent."""
-        return self.increasing(self._atan, x)
-
-    def _atan(self, x: int) -> Enclosure:
-        """Atan x = 2 atan(x / (1 + sqrt(1 + x^2))), until the argument is small."""
+    @_increasing
+    def atan(self, x: int) -> Enclosure:
+        """The inverse tangent: twice that of x / (1 + sqrt(1 + x^2)), until the argument is small."""
         finer = Enclosing(self.bits + 4 * HALVINGS + max(0, x.bit_length() - self.bits))
         y, one = finer.number(Fraction(x, self.one)), finer.number(1)
         for _ in range(HALVINGS):
             y = finer.times(y, finer.inverse(one + finer.root(one + finer.power(y, 2), 2)))
-        series = finer.series(-finer.power(y, 2), lambda k: Fraction(2 * k - 1, 2 * k + 1))
-        total = finer.times(y, series)
+        total = finer.times(y, finer.series(-finer.power(y, 2), lambda k: Fraction(2 * k - 1, 2 * k + 1)))
         return self.coarser(Enclosure(total.low << HALVINGS, total.high << HALVINGS), finer)
+
+    @_increasing
+    def erf(self, x: int) -> Enclosure:
+        """The error function: 2 x/sqrt(pi) e^(-x^2) (1 + 2 x^2/3 (1 + 2 x^2/5 ...)); nearly 1 where x is large."""
+        square = Fraction(x, self.one) ** 2
+        if square > self.bits:
+            return Enclosure(self.one - 1, self.one) if x > 0 else Enclosure(-self.one, 1 - self.one)
+        finer = Enclosing(self.bits + 2 * int(square) + HALVINGS)
+        # Once a term is small, each is at most half of the one before.
+        total = finer.series(finer.number(Fraction(1, 2)), lambda k: 4 * square / (2 * k + 1))
+        total = finer.times(
+            total, finer.times(finer.number(Fraction(2 * x, self.one)), finer.exp(-finer.number(square)))
+        )
+        return self.coarser(finer.times(total, finer.inverse(finer.root(finer.pi, 2))), finer)
 
 
 @cache

@@ -110,15 +110,13 @@ def _prove(certificate: Data, reading: Proven, facts: Facts, claims: Mapping[tup
         raise Rejected(f"the certificate's variant is {variant!r}: 0, 1 or 2 is expected")
     if not claims:
         raise Rejected("there is nothing to prove")
-    open_claims = {place: claim for place, claim in claims.items() if not reading.vanishes(claim)}
-    labels = {f"{i + 1},{j + 1}": place for place in open_claims for i, j in [place]}
-    if entries.keys() != labels.keys():
-        what = min(entries.keys() ^ labels.keys())
-        raise Rejected(f"entry {what} does not follow, or follows without more being said")
+    open_claims = {f"{i + 1},{j + 1}": claim for (i, j), claim in claims.items() if not reading.vanishes(claim)}
+    if different := entries.keys() ^ open_claims.keys():
+        raise Rejected(f"entry {min(different)} does not follow, or follows without more being said")
     if variant == 1 and not open_claims:
         raise Rejected("the certificate squares what vanishes by itself")
     for label, said in entries.items():
-        claim = open_claims[labels[label]]
+        claim = open_claims[label]
         claim = reading.normal(claim * claim) if variant == 1 else claim
         multiplied |= _follows(certificate, reading, facts, claim, said, label)
     return multiplied

@@ -136,15 +136,10 @@ class Proven(KnownRoots):
         """The functions and the roots of which the certificate speaks, each after those that are in it."""
         functions = sorted(((len(text), text, name) for name, text in certificate["names"].items()))
         waiting: list[Callable[[], None]] = [partial(self._state_angles, certificate, units)]
-        for _, text, name in functions:
-            if text not in spelled:
-                waiting.append(partial(self._state_function, name, text))
-        for text in certificate.get("positive", ()):
-            waiting.append(partial(self._state_positive, text))
-        for word in certificate.get("words", ()):
-            waiting.append(partial(self._state_word, *word))
-        for square, factors in certificate.get("roots", ()):
-            waiting.append(partial(self._state_root, square, factors))
+        waiting += (partial(self._state_function, name, text) for _, text, name in functions if text not in spelled)
+        waiting += (partial(self._state_positive, text) for text in certificate.get("positive", ()))
+        waiting += (partial(self._state_word, *word) for word in certificate.get("words", ()))
+        waiting += (partial(self._state_root, *root) for root in certificate.get("roots", ()))
         while waiting:
             left: list[Callable[[], None]] = []
             for statement in waiting:
@@ -232,8 +227,7 @@ class Proven(KnownRoots):
         inside = parsed(text, self.places)
         if kind not in ("sqrt", "abs"):
             raise Rejected(f"{name} is said to be {kind!r} of something, neither a root nor an absolute value")
-        square = self.normal(inside if kind == "sqrt" else inside * inside)
-        self.state_word(name, square, kind == "abs")
+        self.state_word(name, self.normal(inside if kind == "sqrt" else inside * inside), kind == "abs")
 
     def _state_root(self, text: str, texts: list[str]) -> None:
         self.state_root(parsed(text, self.places), [parsed(factor, self.places) for factor in texts])

@@ -59,8 +59,7 @@ class Reals(QuotientRing):
         inside, outside = numerator, ONE
         for place, power in below.items():
             inside = inside * self.inverses[place] if power % 2 else inside
-            size = variable(place) * number(self.sign(self.inverses[place]))
-            outside *= self.power(size, (power + 1) // 2)
+            outside *= self.power(variable(place) * number(self.sign(self.inverses[place])), (power + 1) // 2)
         inside = self.normal(inside)
         sign = self.sign(inside)
         if sign < 0:
@@ -113,9 +112,7 @@ class Reals(QuotientRing):
             total *= number(factor ** (power // 2))
             total *= self._variable(number(factor)) if power % 2 else ONE
             factor += 1
-        if isqrt(rest) ** 2 == rest:
-            return total * number(isqrt(rest))
-        return total * self._variable(number(rest))
+        return total * (number(isqrt(rest)) if isqrt(rest) ** 2 == rest else self._variable(number(rest)))
 
     def _variable(self, square: Polynomial) -> Polynomial:
         key = square.below, frozenset(square.terms.items())
@@ -194,9 +191,7 @@ class Reals(QuotientRing):
     def _arc(self, tangent: Polynomial) -> Polynomial:
         numerator, below = self.cleared(tangent)
         known = constant(numerator)
-        if known is not None and not below:
-            return self.arctangent(known)
-        return self.called("atan", tangent)
+        return self.called("atan", tangent) if known is None or below else self.arctangent(known)
 
     def _enclosed(self, value: Polynomial, digits: int) -> Enclosure:
         """What holds a number; raises `Unbounded` where it takes more digits to tell."""

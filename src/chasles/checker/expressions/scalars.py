@@ -154,5 +154,4 @@ def check_scalar_counterexample(problem: Problem, shown: Counterexample) -> None
         raise Rejected("a hypothesis says more than equations, and nothing shows that the point satisfies it")
     if (shown.goal, shown.entry) not in question.places:
         raise Rejected(f"no equation of the statement is called {shown.goal!r}, or it has no such entry")
-    row = question.places.index((shown.goal, shown.entry))
-    check_refutation(replace(shown, entry=(row + 1, 1)), *question.asked)
+    check_refutation(replace(shown, entry=(question.places.index((shown.goal, shown.entry)) + 1, 1)), *question.asked)

@@ -39,6 +39,5 @@ def is_turn(multiple: Fraction, cosine: Polynomial, sine: Polynomial, reading: E
         return False
     near = Fraction(1, multiple.denominator)
     at = Enclosing(DIGITS)
-    about = at.cosine_and_sine(at.times(at.number(multiple % 2), at.pi))
-    values = zip((cosine, sine), about, strict=True)
+    values = zip((cosine, sine), at.cosine_and_sine(at.times(at.number(multiple % 2), at.pi)), strict=True)
     return all(reading.is_near(value, Fraction(found.low, at.one), near) for value, found in values)

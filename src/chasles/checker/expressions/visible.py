@@ -98,8 +98,7 @@ def is_running(index: Any, ends: Iterable[Any], kind: str = "integer") -> bool:
 def assumed_of(e: Any) -> dict[str, bool]:
     """What is known of the value of a function at real arguments, or of one over it."""
     call = 1 / e if e.is_Pow else e
-    signs = signs_of(call.args[0] - int(isinstance(call, sympy.log)))
-    known = kinds_of(signs, INHERITED.get(call.func, ()))
+    known = kinds_of(signs_of(call.args[0] - int(isinstance(call, sympy.log))), INHERITED.get(call.func, ()))
     return known | {ALWAYS[call.func]: True} if call.func in ALWAYS else known
 
 
