@@ -69,8 +69,7 @@ class Minimum(Declared):
         squares = total(tuple(w.Dot(square, square) for square in self.squares))
         excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), squares)
         there: dict[Node, Node] = {self.over: self.at}
-        vanish = [("the square vanishes there", w.replace(s, there), w.Zero(*s.shape)) for s in self.squares]
-        return (excess, *vanish)
+        return (excess, *(("the square vanishes there", w.replace(s, there), w.Zero(*s.shape)) for s in self.squares))
 
 
 @dataclass(frozen=True, slots=True)

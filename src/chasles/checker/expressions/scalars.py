@@ -112,8 +112,7 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
     sources |= {f"{equation.lhs} = {equation.rhs}": texts for equation, texts in given.items()}
     divided = (text for e in lost for text in sources.get(f"{e} != 0", (f"{spelled(e)} != 0",)))
-    between = dict.fromkeys(text for _, texts in values.values() for text in texts)
-    used = (*entries.reasons, *between, *divided)
+    used = (*entries.reasons, *dict.fromkeys(text for _, texts in values.values() for text in texts), *divided)
     left, right = left.applyfunc(said), right.applyfunc(said)
     known = {quantity: value for quantity, (value, _) in values.items()}
     return ScalarQuestion(left, right, tuple(given), tuple(map(said, nonzero)), places, sources, used, partial, known)
