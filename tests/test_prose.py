@@ -246,3 +246,11 @@ Multiplying this by the transpose, $$A^T A p = A^T b.$$""": ["assumed", "defined
 def test_what_leads_to_equations_or_is_named_beside_them_counts(page: str) -> None:
     found = chasles.read(page, LETTERS, "md")
     assert [each.verdict for each in found.equations] == LED_TO[page]
+
+
+def test_what_the_displays_say_by_others_is_not_taken_for_constant() -> None:
+    page = r"of mass $M$ \[ M = \rho V \] and \[ p = M v \] with \[ p = \rho V v \]"
+    printed = printed_page(page, "tex")
+    notation = proposed(printed.equations, printed.remarks)
+    assert "constant" not in notation
+    assert [each.verdict for each in chasles.read(page, notation, "tex").equations] == ["defined", "defined", "holds"]

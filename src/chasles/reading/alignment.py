@@ -18,7 +18,6 @@ WRAPPERS = re.compile(
 )
 SYSTEMS = ("array", "matrix", "cases", "dcases")
 PAIRED = re.compile(r"x?align(?:ed)?(?:at)?\*?|flalign\*?")
-DOTS = {r"\vdots", r"\dots", r"\ldots", r"\cdots"}
 NUMBER = re.compile(r"[A-Z]?[.-]?\d[\w.-]*'*")
 PRINTED_NUMBER = re.compile(r"(?:\\q?quad|\\l?eqno|\\hspace\*?\{[^}]*\})\s*[{]?\(?[\w.'-]+\)?[}]?[\s.,;]*$")
 
@@ -88,7 +87,7 @@ def equations_of(environment: str, rows: Sequence[DisplayedEquation]) -> list[Di
         for line, is_paired in _lines(whole, environment):
             atoms, own = _trailing_number(_without_alignment(line, is_paired))
             kept = without_layout(_opened(atoms))
-            if {atom.text for atom in kept} - DOTS:
+            if {atom.text for atom in kept}.difference(commands.DOTS):
                 is_ended, number = atoms[-1].text in (",", ".", ";"), own or printed or row.number
                 new = row._replace(atoms=kept, number=number, is_ended=is_ended, place=atoms[0].place)
                 found = _added(found, new, line)
@@ -222,8 +221,8 @@ def _lines(atoms: list[Atom], environment: str) -> Iterator[tuple[list[Atom], bo
 
 def _aligns_equations(atom: Atom) -> bool:
     """Whether it is an environment with a relation in each row, as a whole."""
-    is_wrapper = atom.kind == "GRID" and not atom.is_marked and bool(WRAPPERS.fullmatch(atom.text))
-    return is_wrapper and all(map(_relations, _rows(atom.arguments[0])))
+    is_system = bool(WRAPPERS.fullmatch(atom.text)) or atom.text in SYSTEMS[2:]
+    return atom.kind == "GRID" and not atom.is_marked and is_system and all(map(_relations, _rows(atom.arguments[0])))
 
 
 def _spliced(atoms: list[Atom], place: int) -> list[Atom]:

@@ -48,6 +48,9 @@ LETTERS = _commands(
 """Control words that are one letter each, which a typeface is set for."""
 
 NAMES_OF_ANGLES = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+FUNCTIONS = _commands(
+    "arccos arcsin arctan arg cos cosh cot coth csc deg det dim exp gcd hom ker lg ln log Pr sec sin sinh tan tanh tr"
+)
 PLAIN_NAMES = {
     **{name: rf"\{name}" for name in (*NAMES_OF_ANGLES, "arcsin", "arccos", "arctan", "exp", "log")},
     **{name: rf"\operatorname{{{name}}}" for name in ("asin", "acos", "atan", "sqrt", "abs", "max", "min")},
@@ -101,6 +104,8 @@ SYNONYMS = {
 }
 
 EQUAL = frozenset({"=", ":=", "=:"})
+SAYS = r"(?:: ?)?(?:=|\\equiv|\\triangleq)"
+"""Behind a letter: what says by a text what it is."""
 RELATIONS = frozenset({*EQUAL, "<", ">"}) | _commands(
     "equiv triangleq leq geq neq approx sim simeq cong propto ll gg in subset subseteq ni doteq Rightarrow "
     "Leftrightarrow Longleftrightarrow implies iff rightarrow leftarrow longrightarrow Longrightarrow mapsto models "
@@ -110,6 +115,8 @@ IN_ASCII = _pairs(r":= := =: =: => \Rightarrow -> \rightarrow <= \leq >= \geq")
 """Signs of relation that are typed as two characters."""
 IMPLICATIONS = _commands("implies Rightarrow Longrightarrow leadsto rightsquigarrow")
 """Between two equations: what stands before is a condition of what follows."""
+DOTS = (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")
+"""Signs for what is left out."""
 OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus circ bullet star div odot boxplus")
 
 _SIGNS = dict.fromkeys("\u00a0\u2009\u200b", " ") | _pairs(

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from chasles.reading.atoms import Atom, Atoms, said_of
+from chasles.reading.commands import DOTS, FUNCTIONS, LETTERS, WITH_LIMITS
 
 SIGNS = ("d", "D", r"\partial", r"\delta", r"\Delta")
+COMMAND = re.compile(r"\\[A-Za-z]+")
+KNOWN = LETTERS | FUNCTIONS | WITH_LIMITS | {*DOTS}
 
 
 class Derivative(NamedTuple):
@@ -30,13 +34,22 @@ class Derivative(NamedTuple):
     def is_of_its_own(self) -> bool:
         """Whether no word says it: df/dx, Df/Dt, a higher partial one, a rate in a frame."""
         is_higher = self.order != 1 or any(atom.text == r"\partial" for atom in self.by)
-        return not self.rate and bool(self.by) and (self.sign in ("d", "D") or (self.sign == r"\partial" and is_higher))
+        is_total = self.sign in ("d", "D") or is_undefined(self.sign)
+        return not self.rate and bool(self.by) and (is_total or (self.sign == r"\partial" and is_higher))
 
 
 def differential(atoms: Atoms) -> str:
-    """The sign of a differential that stands first, upright or in italics; empty where none does."""
+    r"""The sign of a differential that stands first, upright or in italics; empty where none does.
+
+    A command that nothing defines is one where it stands first above and below a stroke, as in \frac{\pl f}{\pl t}.
+    """
     sign = said_of((atoms[0].bare,)).removeprefix(r"\mathrm ") if atoms else ""
-    return sign if sign in SIGNS else ""
+    return sign if sign in SIGNS or is_undefined(sign) else ""
+
+
+def is_undefined(sign: str) -> bool:
+    """Whether it is a command that is neither a letter nor a function of LaTeX."""
+    return bool(COMMAND.fullmatch(sign)) and sign not in KNOWN
 
 
 def derivative(atom: Atom) -> Derivative | None:

@@ -6,11 +6,12 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from chasles.reading.commands import SAYS
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.radicands import LETTER
 
 DEFINED = re.compile(
-    rf"(?:^|\\q?quad |, )(?P<function>{LETTER}) \( (?P<letter>{LETTER}) \) (?:: )?(?:=|\\equiv|\\triangleq) "
+    rf"(?:^|\\q?quad |, )(?P<function>{LETTER}) \( (?P<letter>{LETTER}) \) {SAYS} "
     r"(?P<value>(?:(?!\\q?quad\b|\\Rightarrow\b)[^=<>,;:])+)"
 )
 VALUE = re.compile(rf"(?P<function>{LETTER}) \( (?P<argument>[^()=]+) \)")

@@ -9,7 +9,7 @@ from itertools import combinations
 
 from chasles.reading.atoms import TYPEFACES, Atom, Atoms, Terms, said_of
 from chasles.reading.commands import MARKS
-from chasles.reading.derivatives import differential
+from chasles.reading.derivatives import derivative, is_undefined
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
 from chasles.reading.grammar import Chain, terms_in
 from chasles.reading.letter_names import INVERSES, TRANSPOSES, NameMarks, is_declared, parted, stem_of
@@ -219,6 +219,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             after = row[place + 1] if place + 1 < len(row) else None
             around = {before, after.text if after and after.kind == "INFIX" else ""} - {""}
             around |= {"{}"} if after and after.kind == "GROUP" else set()
+            around |= {"marked"} if after is None or after.kind in ("INFIX", "BRACKET") else set()
             around |= {"1/"} if before == "/" else set()
             around |= {"+"} if len(terms.rows) > len(row) == 1 else set()
             name = called(piece)
@@ -226,6 +227,8 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 before = name
                 continue
             if letter_of(piece).base == "d" and (within == "d" or (after and _is_derivative(terms, within))):
+                continue
+            if within == "d" and is_undefined(piece.text):
                 continue
             if (
                 after is not None
@@ -247,7 +250,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
 
 def _sign_around(piece: Atom, before: str) -> str:
     """What is noted of the letters that a piece holds: its own sign, or that before it."""
-    if len(piece.arguments) == 2 and differential(piece.arguments[0]) in ("d", r"\partial"):
+    if (found := derivative(piece)) and (found.sign in ("d", r"\partial") or is_undefined(found.sign)):
         return "d"
     if piece.text == "[]" and len(pieces_of(piece)) == 1:
         return "[]"

@@ -10,6 +10,7 @@ from itertools import chain, product
 from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.atoms import Atom, Atoms, Terms, said_of
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
+from chasles.reading.commands import DOTS
 from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
 from chasles.reading.glyphs import Glyph, in_latex, latex_of, letter_of, spelled, text_of_atom
@@ -22,7 +23,6 @@ from chasles.vocabulary import Group, Identity, Node, Number, Symbol, Transpose,
 from chasles.vocabulary.families import Entry, Kronecker
 
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
-DOTS = (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")
 WITHOUT_BARS = (r"\langle\rangle", r"\lfloor\rfloor", r"\lceil\rceil", r"\|\|")
 """Brackets that may stand for a mean, or for a norm of matrices."""
 WITHOUT_WORD = {
@@ -133,21 +133,13 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return _column(atom, rest, ctx)
         case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
-        case "BRACKET" if len(atom.inside) > 1 and atom.text in (r"\{\}", r"\langle\rangle"):
+        case _ if _has_no_word(atom):
             fits = ctx.of_its_own(latex_of(atom))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
-        case "GRID" if any(map(_leaves_out, chain.from_iterable(atom.rows))):
-            fits = ctx.of_its_own(latex_of(atom))
-        case "BRACKET" if len(atom.inside) > 2 and any(_leaves_out(row) for each in atom.inside for row in each.rows):
-            fits = ctx.of_its_own(latex_of(atom))
         case "GROUP" | "GRID" if any(atom.before):
             inner = of_atoms((replace(atom, before=((), ())),), ctx)
             return ctx.of_its_own(in_latex(text_of_atom(atom)), [fit.node for fit in inner if fit.node is not None])
-        case "EVENT":
-            fits = ctx.of_its_own(in_latex(atom.text))
-        case "COMMAND_OF_TWO" if atom.text == r"\binom":
-            fits = ctx.of_its_own(latex_of(atom))
         case "GRID" if atom.text in ENVIRONMENTS:
             fits = case_fits(atom, ctx, of_atoms) or ctx.of_its_own(latex_of(atom))
         case "GRID":
@@ -165,6 +157,18 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case _:
             return []
     return with_marks(fits, rest, ctx)
+
+
+def _has_no_word(atom: Atom) -> bool:
+    """Whether it is an event, a binomial, a list in braces, or something with dots."""
+    match atom.kind:
+        case "GRID":
+            return any(map(_leaves_out, chain.from_iterable(atom.rows)))
+        case "BRACKET" if len(atom.inside) > 1:
+            is_list = atom.text in (r"\{\}", r"\langle\rangle")
+            return is_list or any(_leaves_out(row) for each in atom.inside for row in each.rows)
+        case _:
+            return atom.kind == "EVENT" or atom.text == r"\binom"
 
 
 def _leaves_out(cell: Atoms) -> bool:

@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from chasles.reading.commands import SAYS
 from chasles.reading.printed import PrintedEquation, Remark
 from chasles.reading.prose import AGAIN
 
@@ -24,9 +25,7 @@ LOCAL = re.compile(
     re.IGNORECASE,
 )
 """What stands before one that says something else: a case, a place, what follows."""
-NAMED = re.compile(
-    r"\s*(?:\\[A-Za-z]+|[A-Za-z])[^=<>]{0,40}?(?::=|=|\\equiv|\\triangleq)(?P<value>[^=<>:]*[A-Za-z][^=<>:]*)"
-)
+NAMED = re.compile(rf"\s*(?:\\[A-Za-z]+|[A-Za-z])[^=<>]{{0,40}}?{SAYS}(?P<value>[^=<>:]*[A-Za-z][^=<>:]*)")
 SIGNS = re.compile(
     r"\\(?:[lg]eq?|approx|sim(?:eq)?|neq?|in|to|rightarrow|dots|cdots|ldots|pm|mp|forall|text)(?![A-Za-z])"
 )

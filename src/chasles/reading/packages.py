@@ -22,6 +22,8 @@ ALWAYS = r"""
 \newcommand\T{\top} \newcommand\transp{\top} \newcommand\tran{\top} \newcommand\comma{,}
 \newcommand\SO{\operatorname{SO}} \newcommand\SE{\operatorname{SE}}
 \newcommand\asin{\arcsin} \newcommand\acos{\arccos} \newcommand\atan{\arctan}
+\newcommand\grad{\nabla} \newcommand\curl{\nabla\times} \newcommand\laplacian{\nabla^2}
+\newcommand\sgn{\operatorname{sgn}} \newcommand\num[1]{#1} \newcommand\ang[1]{#1^\circ}
 \newcommand\argmin{\operatorname{argmin}} \newcommand\argmax{\operatorname{argmax}}
 \newcommand\bbm{\begin{bmatrix}} \newcommand\ebm{\end{bmatrix}}
 \newcommand\bpm{\begin{pmatrix}} \newcommand\epm{\end{pmatrix}}
@@ -32,10 +34,9 @@ PACKAGES = {
     "physics": r"""
 \newcommand\qty[1]{\left(#1\right)} \newcommand\vb{\mathbf} \newcommand\va[1]{\vec{\mathbf{#1}}}
 \newcommand\vu[1]{\hat{\mathbf{#1}}} \newcommand\eval[1]{\left.#1\right|}
-\newcommand\cross{\times} \newcommand\vdot{\cdot} \newcommand\grad{\nabla}
-\newcommand\curl{\nabla\times} \newcommand\div{\nabla\cdot} \newcommand\laplacian{\nabla^2}
+\newcommand\vdot{\cdot} \newcommand\div{\nabla\cdot}
 """,
     "tensor": r"\newcommand\tensor[3][]{{}#1{#2}#3}",
-    "siunitx": r"\newcommand\SI[2]{#1} \newcommand\qty[2]{#1} \newcommand\num[1]{#1} \newcommand\ang[1]{#1^\circ}",
+    "siunitx": r"\newcommand\SI[2]{#1} \newcommand\qty[2]{#1}",
 }
 """By the name of the package, what a page that uses it may write."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from chasles.reading.atoms import Unread
+from chasles.reading.commands import SAYS
 from chasles.reading.glyphs import Glyph, letter_in
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import Remark
@@ -132,7 +133,7 @@ def lead_of(before: str) -> Lead:
 def said_of_letters(remarks: Iterable[Remark], equations: str) -> Told:
     """What is said of each letter in words, if nothing else is said of it elsewhere.
 
-    What has a rate in the `equations`, given as one text, is not constant.
+    What has a rate in the `equations`, given as a line each, is not constant, nor is what they define by others.
     """
     found: dict[Glyph, Mapping[str, Any] | None] = {}
     for letter, said in _sayings(remarks):
@@ -149,9 +150,10 @@ def base_of(said: Mapping[str, Any]) -> str:
 
 
 def _moves(letter: Glyph, equations: str) -> bool:
-    """Whether the equations have a rate of the letter, or have it as a function of time."""
+    """Whether the equations have a rate of the letter, have it as a function of time, or say what it is."""
     of = rf"(?:\\\w+ \{{ )?{re.escape(letter.base)}(?!\w)"
-    return bool(re.search(rf"(?:dot \{{ |\bd |\\partial ){of}|(?<!\w){of}(?: _ \{{[^{{}}]*\}})? \( t \)", equations))
+    own = rf"(?:dot \{{ |\bd |\\partial ){of}|(?<!\w){of}(?: _ \{{[^{{}}]*\}})? \( t \)"
+    return bool(re.search(rf"{own}|^{of}(?: _ \{{[^{{}}]*\}})? {SAYS}", equations, re.MULTILINE))
 
 
 def _sayings(remarks: Iterable[Remark]) -> Iterator[tuple[Glyph, dict[str, Any]]]:

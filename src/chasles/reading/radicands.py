@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 
 from chasles.reading.atoms import Unread
-from chasles.reading.commands import LETTERS
+from chasles.reading.commands import LETTERS, SAYS
 from chasles.reading.glyphs import Glyph, letter_in
 from chasles.reading.lexemes import BadPage
 
@@ -15,7 +15,7 @@ BESIDE = r"\\(?:[dt]?frac|pi|cdot)\b|[{}/.\d]"
 """What stands beside the letters of a product or a quotient."""
 LETTER = rf"(?<!\S)(?!{BESIDE})(?:\\[A-Za-z]+|[A-Za-z])(?: _ (?:\{{ [^{{}}]* \}}|\S+))?"
 PRODUCT = re.compile(rf"(?:(?:{BESIDE}|{LETTER}) ?)+")
-DEFINED = re.compile(rf"(?:^|\\quad |, )({LETTER})(?: \( [^()]* \))? (?:: )?(?:=|\\equiv|\\triangleq)")
+DEFINED = re.compile(rf"(?:^|\\quad |, )({LETTER})(?: \( [^()]* \))? {SAYS}")
 
 
 def letters_under_roots(texts: Iterable[str]) -> Iterator[Glyph]:

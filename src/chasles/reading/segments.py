@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from chasles.reading.abbreviations import written_out
 from chasles.reading.atoms import RELATIONS, Atom, Atoms, Unread, lines_of, single
-from chasles.reading.commands import IMPLICATIONS
+from chasles.reading.commands import DOTS, IMPLICATIONS
 from chasles.reading.grammar import Chain, closing, formula
 from chasles.reading.lexemes import BadPage, cut
 from chasles.reading.printed import PrintedEquation
@@ -20,7 +20,7 @@ PROSE = re.compile(r"(?:is|are|being)\b")
 """What words begin with that say something of what stands before them."""
 UPRIGHT = re.compile(r"\\operatorname\{(and|where|with|for|if|otherwise|when|or|subject|such|that|to)\}")
 ABBREVIATIONS = [[*"s.t."], [*"i.e."], [*"w.r.t."]]
-DOTS = (r"\dots", r"\ldots", r"\cdots", "..")
+LEFT_OUT = (*DOTS, "..")
 
 
 def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
@@ -88,9 +88,11 @@ def _is_membership(part: Atoms) -> bool:
 
 
 def _lists_values(part: Atoms) -> bool:
-    """Whether it says which values letters run through, as i = 1, 2, 3 and j = 1, ..., n do."""
+    """Whether it says which values letters run through, as i = 1, 2, 3 and j = 1, ..., n do; x = 1 + ... is a sum."""
     sides = lines_of(part, ("=", r"\in"))
-    return len(sides) == 2 and (len(lines_of(sides[1], (",",))) > 1 or any(atom.text in DOTS for atom in sides[1]))
+    before = lines_of(sides[-1], LEFT_OUT)[:-1]
+    runs = any(each and each[-1].kind != "SIGN" for each in before)
+    return len(sides) == 2 and (runs or len(lines_of(sides[1], (",",))) > 1)
 
 
 def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
@@ -108,7 +110,7 @@ def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
 
 
 def _are_values(marks: Atoms) -> bool:
-    return all(mark.text.isdigit() or mark.text in DOTS for mark in marks)
+    return all(mark.text.isdigit() or mark.text in LEFT_OUT for mark in marks)
 
 
 def _joined_lists(parts: list[tuple[Atoms, bool]]) -> list[tuple[Atoms, bool]]:
@@ -123,7 +125,7 @@ def _joined_lists(parts: list[tuple[Atoms, bool]]) -> list[tuple[Atoms, bool]]:
             waiting = ()
         elif found and marks[0].text in "+-":
             found[-1] = (*found[-1][0], *marks), found[-1][1]
-        elif found and (found[-1][0][-1].text in DOTS or _are_values(marks)):
+        elif found and (found[-1][0][-1].text in LEFT_OUT or _are_values(marks)):
             found[-1] = (*found[-1][0], comma, *marks), found[-1][1]
         else:
             waiting = (*waiting, *marks, comma)

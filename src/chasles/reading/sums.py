@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from chasles.reading.atoms import Atoms, Terms, Unread
+from chasles.reading.commands import DOTS
 from chasles.reading.context import FittingContext
 from chasles.reading.expanding import order_of, up_to_order, whole_extrema, whole_integrals
 from chasles.reading.fits import MOST, Fit, Shape, kept, made
@@ -15,8 +16,7 @@ from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.pieces import Precedence
 
 MOST_TERMS = 500
-DOTS = (r"\dots", r"\ldots", r"\cdots")
-OPEN = (*DOTS, "const", "constant")
+OPEN = (*DOTS[:3], "const", "constant")
 """Of what is left out nothing is known, and a constant is another one in each equation."""
 EITHER = frozenset({r"\pm", r"\mp"})
 
@@ -55,7 +55,7 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
 def _row(row: Atoms, ctx: FittingContext) -> list[Fit]:
     """The readings of a row; one with factors that are left out, or summed over, is a quantity of its own."""
     is_summed = bool(ctx.summed) and max(map(counted(row).__getitem__, ctx.summed)) > 1
-    is_open = any(piece.text in DOTS for piece in row)
+    is_open = any(piece.text in OPEN[:3] for piece in row)
     if has_units(ctx.notation.home) or not (is_summed or is_open):
         return row_fits(row, ctx)
     return ctx.of_its_own(in_latex(text_of_row(row)), here=is_open)

@@ -19,13 +19,16 @@ Scripts = tuple[Atoms | None, int, tuple[Atoms, ...]]
 
 
 def with_scripts(nuclei: Sequence[Atom], scripts: Scripts, place: Token) -> list[Atom]:
-    """Scripts go to what stands alone in its group; a group of several things keeps its braces."""
+    """Scripts go to what stands alone in its group, and of letters to the last; other groups keep their braces."""
     sub, primes, sups = scripts
     if len(nuclei) == 1:
         (one,) = nuclei
         if not ((one.sub is not None and sub is not None) or (one.primes and primes) or (one.sups and sups)):
             sub = one.sub if sub is None else sub
             return [replace(one, sub=sub, primes=one.primes + primes, sups=one.sups + sups)]
+    if len(nuclei) > 1 and all(atom.kind == "LETTER" or atom.text in commands.STYLES for atom in nuclei):
+        if not any(atom.text in commands.FUNCTIONS for atom in nuclei):  # as print shows it
+            return [*nuclei[:-1], *with_scripts(nuclei[-1:], scripts, place)]
     return [Atom("GROUP", "", place._replace(text="{"), (tuple(nuclei),), (), sub, primes, sups)]
 
 
@@ -122,5 +125,7 @@ def text_atoms(command: Token, inside: list[Token], atoms_of: Callable[[list[Tok
     if UNIT.fullmatch(words) and not words.isalpha():
         return [single(command._replace(text=rf"\operatorname{{{words}}}"))]
     words = words[:-1] if words[:-1].isalpha() and words[-1] == "." else words  # an abbreviation
-    is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES
+    is_apart = inside[0].text == " " == inside[-1].text  # a word of another language, perhaps
+    is_connective = is_apart or "\\" + words.lower() in commands.CONNECTIVES
+    is_name = words.isalpha() and words.isascii() and not is_connective
     return [single(command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}"))]
