@@ -395,3 +395,17 @@ def test_scripts_behind_braces_are_put_on_once_and_blocks_need_not_stand_below_e
     page = r"$$a = {[Q^T]_{12}}^2$$ $$a = Q_{21}^2$$ $$T = \begin{bmatrix} Q & p \\ 1 & \mathbf{0} \end{bmatrix}$$"
     found = chasles.read(page, {"symbols": letters, "operators": {"transpose": ["#^T"]}}).equations
     assert [each.verdict for each in found] == ["defined", "holds", "defined"]
+
+
+@pytest.mark.parametrize(("first", "expected"), [("V", "ambiguous"), ("V^T", "fails")])
+def test_what_the_page_never_transposes_may_be_symmetric(first: str, expected: str) -> None:
+    riccati = rf"\dot{{V}} = {first} A - V B R^{{-1}} B^T V"
+    claim = r"x^T V A x = \frac{1}{2} x^T V A x + \frac{1}{2} x^T A^T V x"
+    assert verdicts_as_proposed(riccati, claim)[-1] == expected
+
+
+def test_what_would_only_say_that_zero_is_zero_was_not_meant() -> None:
+    letters = {"H": "matrix", "v": "vector", "h": "vector", r"\alpha": "scalar"}
+    page = r"$$\dot h = H v = 0$$ $$\ddot h = H \dot v + \dot H v = 0$$"
+    page += r"$$\ddot h = H \dot v + \dot H v = - 2 \alpha \dot h - \alpha^2 h$$"
+    assert chasles.read(page, {"symbols": letters}, "md").equations[-1].verdict == "open"

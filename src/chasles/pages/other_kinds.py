@@ -1,7 +1,7 @@
 """Whether what is found would be found of letters of the other kind that they may be, where the kinds are proposed.
 
 What holds of scalars alone may fail of matrices and operators, whose products have an order; what fails of vectors may
-hold of scalars, whose products are printed with a cross, too.
+hold of scalars, whose products are printed with a cross, too, or of symmetric matrices.
 """
 
 from __future__ import annotations
@@ -34,12 +34,14 @@ def doubt_of_truth(claim: Claim, consequences: Consequences) -> str:
 
 def doubt_of_falsity(claim: Claim, instead: Repair | None, consequences: Consequences) -> str:
     """The same for a claim that fails: where it follows of other kinds, or what is true instead does not."""
-    kinds = _in_doubt(claim)
-    if not kinds:
-        return ""
     meant = with_fields(claim, left=instead.left, right=instead.right) if instead else claim
-    is_meant = instead is None or _follows(meant, kinds, consequences) is not False
-    return "" if is_meant and not _follows(claim, kinds, consequences) else _told(kinds)
+    found = _in_doubt(claim)
+    for is_same in (False, True):
+        kinds = {symbol: other for symbol, other in found.items() if (other.shape == symbol.shape) is is_same}
+        is_meant = instead is None or not kinds or _follows(meant, kinds, consequences) is not False
+        if kinds and not (is_meant and not _follows(claim, kinds, consequences)):
+            return _told(kinds)
+    return ""
 
 
 def doubt_of_reals(claim: Claim) -> str:
@@ -60,8 +62,11 @@ def imaginary_unit(sides: Iterable[w.Node]) -> w.Symbol | None:
 
 
 def _told(kinds: Kinds) -> str:
+    names = ", ".join(map(str, kinds))
+    if all(symbol.shape == other.shape for symbol, other in kinds.items()):
+        return f"{names} {'are' if len(kinds) > 1 else 'is'} not symmetric"
     kind = "scalar" if next(iter(kinds)).is_scalar else "vector"
-    return f"{', '.join(map(str, kinds))} {f'are {kind}s' if len(kinds) > 1 else f'is a {kind}'}"
+    return f"{names} {f'are {kind}s' if len(kinds) > 1 else f'is a {kind}'}"
 
 
 def _sides(claim: Claim) -> tuple[w.Node, ...]:
@@ -75,8 +80,9 @@ def _in_doubt(claim: Claim) -> dict[w.Symbol, w.Symbol]:
     found: dict[w.Symbol, w.Symbol] = {}
     for symbol in sorted(symbols_in(_sides(claim)), key=lambda symbol: symbol.name):
         other = symbol.meaning.partition(" or ")[2]
-        if other in SHAPES:
-            found[symbol] = with_fields(symbol, size=w.uniform(SHAPES[other], w.NO_DIMENSION), meaning=other)
+        if other in (*SHAPES, "symmetric"):
+            size = w.uniform(SHAPES[other], w.NO_DIMENSION) if other in SHAPES else symbol.size
+            found[symbol] = with_fields(symbol, size=size, meaning=other)
     return found
 
 

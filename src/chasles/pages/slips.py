@@ -24,6 +24,7 @@ from chasles.pages.random_motion import MOST_FACTORS
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
+from chasles.vocabulary.letters import zero_of
 
 MARKS = re.compile(r"[_'^]")
 MOST_EDITS = 12
@@ -59,6 +60,8 @@ def true_but_for_a_slip(
         meant = with_fields(claim, left=left, right=right, sic=True)
         if meant.fault or _cancels(claim, (left, right)) or _says_nothing(left, right):
             continue
+        if not any(map(_is_zero, claim.printed)) and consequences.may_follow(left, zero_of(left.shape), *known):
+            continue  # 0 = 0 under the premises: the change brings in what vanishes
         if likely is None and next(unknown) >= MOST_UNKNOWN:
             continue
         for chosen in (consequences.least(left, right, *known), known) if likely else (known,):
@@ -164,11 +167,11 @@ def _symbols(sides: Iterable[w.Node]) -> Counter[w.Symbol]:
 def _is_one_term_said_to_vanish(claim: Claim) -> bool:
     """Whether a slip of the pen would have left it as true or as false."""
     one, other = claim.printed
-    zero = w.Number(Fraction(0))
-    return any(
-        (right == zero or isinstance(right, w.Zero)) and not isinstance(left, w.Sum)
-        for left, right in ((one, other), (other, one))
-    )
+    return any(_is_zero(right) and not isinstance(left, w.Sum) for left, right in ((one, other), (other, one)))
+
+
+def _is_zero(side: w.Node) -> bool:
+    return side == w.Number(Fraction(0)) or isinstance(side, w.Zero)
 
 
 def _is_a_value(claim: Claim) -> bool:

@@ -29,7 +29,7 @@ RUN = re.compile(r"(?<!\S)[A-Za-z](?: [A-Za-z](?!\S))+")
 SIGNS = {"*": "star", "+": "plus", "-": "minus"}
 """How signs in a letter's scripts are called in its name."""
 OTHERS = ("component", "entry", "index")
-OTHERWISE = ("matrix", "scalar")
+OTHERWISE = ("matrix", "scalar", "symmetric")
 """What else a letter may be said to be, `or`: what is found only if it is not that is ambiguous then."""
 KNOWN_KEYS: dict[str, type] = {
     "is": str, "unit": str, "constant": bool, "positive": bool, "shape": object, "size": int, "of": str,

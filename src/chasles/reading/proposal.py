@@ -93,9 +93,8 @@ def _lines_of(
                 yield f"# {unknown[-1]}: no command of LaTeX; --macros FILE defines it, or say here what it is"
                 continue
             known = _is_one_letter(glyph)
-            entry = (
-                f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of or glyph in told else question}'
-            )
+            is_sure = glyph in told or (of and doubt != "symmetric")
+            entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if is_sure else question}'
             yield entry if known else f"# {spelled(glyph)}: several letters in one; say what it is"
 
 
@@ -103,9 +102,11 @@ def _otherwise(stem: Glyph, use: LetterUse, of_operators: bool) -> str:
     """What else than proposed a letter may be, where that is as likely: then what holds of one alone is in doubt.
 
     Letters that the page multiplies in both orders may be matrices or operators, and where one of them is a capital,
-    so may all capitals be; a cross may stand between numbers.
+    so may all capitals be; a cross may stand between numbers. What it never transposes may be symmetric.
     """
     bold, large = looks(stem)
+    if use.kind == "matrix" and not use.shape and use.signs.isdisjoint(f"^{each}" for each in (*TRANSPOSES, "- T")):
+        return "symmetric"
     are_entries = all(ENTRY.fullmatch(glyph.sub) for glyph in use.letters)
     is_number = use.is_number or are_entries or ("e" in use.signs and not large)
     if use.kind == "scalar" and not is_number and (use.has_order or (large and of_operators)):
