@@ -73,7 +73,8 @@ class _KindSearch:
         self.names = usual_names()
         self.stems: dict[int, list[Glyph]] = {}
         self.kinds: dict[Glyph, list[Kind]] = {stem: _kinds(stem, use) for stem, use in uses.items()}
-        self.known: dict[object, int] = {}
+        self.known: dict[tuple[int, tuple[Kind, ...]], Glyph | bool] = {}
+        self.asked: dict[Glyph, None] = {}
         self.sizes: set[int] = set()
         self.work = 0
         self.known_by = lru_cache(maxsize=None)(partial(_known_by, uses=uses, marks=marks))
@@ -107,28 +108,37 @@ class _KindSearch:
     def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
         stem, marks = self.known_by(letter)
         use = self.uses.get(stem) if stem else None
-        if use is None:
+        if use is None or stem is None:
             size = SIZE.fullmatch(letter.loose.sub) if letter.loose.base in ("I", "1", "0") else None
             known = (int(size[1]), int(size[2] or size[1])) if size and (size[2] or letter.loose.base != "0") else None
             return (1, 1) if letter.base == r"\pi" else known, marks
+        self.asked[stem] = None
         return (use.shape[0], use.shape[1]) if use.shape else SHAPES[use.kind], marks
 
     def faults(self, place: int) -> int:
         """How many relations of the equation do not fit together; those with a matrix count more."""
         self.work += 1
-        key = place, *(self.uses[stem].meant for stem in self.stems[place])
-        if key not in self.known:
-            self.known[key] = sum(
-                self._is_misshapen(chain) * (3 if _has_grid(chain) else 1) for chain in self.chains[place]
-            )
-        return self.known[key]
+        return sum(self._is_misshapen(chain) * (3 if _has_grid(chain) else 1) for chain in self.chains[place])
 
     def _is_misshapen(self, chain: Chain) -> bool:
+        """Whether it does not fit together, which only the letters asked for say: the next one follows from those."""
+        kinds: tuple[Kind, ...] = ()
+        while (known := self.known.get((id(chain), kinds))) is not None:
+            if isinstance(known, bool):
+                return known
+            kinds = (*kinds, self.uses[known].meant)
+        self.asked.clear()
         try:
             shape_of_chain(chain, self.shape_of, self.names)
+            found = False
         except Misshapen:
-            return True
-        return False
+            found = True
+        kinds = ()
+        for stem in self.asked:
+            self.known[id(chain), kinds] = stem
+            kinds = (*kinds, self.uses[stem].meant)
+        self.known[id(chain), kinds] = found
+        return found
 
     def mend(self, place: int) -> None:
         """Let few letters of the equation be something else, if more equations fit together then."""

@@ -26,9 +26,9 @@ def with_scripts(nuclei: Sequence[Atom], scripts: Scripts, place: Token) -> list
         if not ((one.sub is not None and sub is not None) or (one.primes and primes) or (one.sups and sups)):
             sub = one.sub if sub is None else sub
             return [replace(one, sub=sub, primes=one.primes + primes, sups=one.sups + sups)]
-    if len(nuclei) > 1 and all(atom.kind == "LETTER" or atom.text in commands.STYLES for atom in nuclei):
-        if not any(atom.text in commands.FUNCTIONS for atom in nuclei):  # as print shows it
-            return [*nuclei[:-1], *with_scripts(nuclei[-1:], scripts, place)]
+    are_letters = all(atom.kind == "LETTER" or atom.text in commands.STYLES for atom in nuclei)
+    if len(nuclei) > 1 and are_letters and commands.FUNCTIONS.isdisjoint(atom.text for atom in nuclei):
+        return [*nuclei[:-1], *with_scripts(nuclei[-1:], scripts, place)]  # as print shows it
     return [Atom("GROUP", "", place._replace(text="{"), (tuple(nuclei),), (), sub, primes, sups)]
 
 
