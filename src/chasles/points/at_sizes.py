@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import product
-from random import Random
 
 from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
 from chasles.checker.sparse import Rejected
 from chasles.points.adjustment import solution
-from chasles.points.rational import Numbers, SimpleRandom, free
-from chasles.points.satisfying import bind, in_order
+from chasles.points.rational import RationalRandom, SimpleRandom
+from chasles.points.satisfying import SatisfyingValues, in_order
 from chasles.problems.variables import entry_name
 from chasles.statements import Problem
 from chasles.statements.varied import opened_parts
@@ -30,10 +29,12 @@ def points_at_sizes(problem: Problem) -> Iterator[dict[str, Fraction]]:
         product(range(1, LARGEST + 1), repeat=len(names)), key=lambda each: (max(each, default=0), sum(each), each)
     )
     symbols = _symbols(problem)
-    draws = SimpleRandom(1), Random(1)
+    draws = SimpleRandom(1), RationalRandom(1)
     for choice in choices[:MOST_SIZES]:
         for count in range(EACH):
-            at = _drawn(problem, symbols, dict(zip(names, choice, strict=True)), draws[count % 2], rich=count > 1)
+            draw = draws[count % 2]
+            draw.rich = count > 1
+            at = _drawn(problem, symbols, dict(zip(names, choice, strict=True)), draw)
             try:
                 at = _determined(problem, at) if problem.conditions else at
                 PointAtSizes(problem, at).require()
@@ -80,23 +81,23 @@ def _symbols(problem: Problem) -> list[Symbol]:
 
 
 def _drawn(
-    problem: Problem, symbols: list[Symbol], numbers: dict[str, int], draw: Random, rich: bool
+    problem: Problem, symbols: list[Symbol], numbers: dict[str, int], draw: RationalRandom
 ) -> dict[str, Fraction]:
     """Entries that satisfy hypotheses one by one; whether they satisfy all together is not asked here."""
-    values: dict[tuple[Symbol, int], Numbers] = {}
+    satisfying = SatisfyingValues(draw)
     for hypothesis in in_order(problem.hypotheses):
         subjects = tuple(at_sizes(node, numbers) for node in hypothesis.subjects)
         if hypothesis.kind == "of a rate":
             for node in subjects:
                 assert isinstance(node, Symbol)
-                values[node, 0] = [[Fraction(0)] * node.shape[1] for _ in range(node.shape[0])]
+                satisfying.values[node, 0] = [[Fraction(0)] * node.shape[1] for _ in range(node.shape[0])]
         elif all(node in symbols for node in hypothesis.subjects):
-            bind(with_fields(hypothesis, subjects=subjects, equations=()), {}, values, draw, rich)
+            satisfying.bind(with_fields(hypothesis, subjects=subjects, equations=()))
     at = {name: Fraction(number) for name, number in numbers.items()}
     for symbol in symbols:
         sized = at_sizes(symbol, numbers)
         assert isinstance(sized, Symbol)
-        entries = values.get((sized, 0)) or free(sized.shape, draw, rich)
+        entries = satisfying.values.get((sized, 0)) or draw.free(sized.shape)
         for i, row in enumerate(entries):
             at |= {entry_name(sized, 0, i, j): entry for j, entry in enumerate(row) if entry}
     return at

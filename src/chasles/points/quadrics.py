@@ -10,11 +10,11 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import prod
-from random import Random
 
 from chasles.algebra.values import is_zero
 from chasles.checker.witness import root_of
 from chasles.points.evaluation import Point, evaluate, terms_of
+from chasles.points.rational import RationalRandom
 from chasles.problems.context import Context
 from chasles.problems.generators import Generator
 from chasles.vocabulary import PI, Symbol
@@ -25,7 +25,7 @@ ATTEMPTS = 12
 SIMPLE = tuple(map(Fraction, (0, 0, 0, 1, -1, 2)))
 
 
-def on_quadrics(context: Context, point: Point, bound: set[Symbol], draw: Random, rich: bool) -> set[Symbol]:
+def on_quadrics(context: Context, point: Point, bound: set[Symbol], draw: RationalRandom) -> set[Symbol]:
     """Move free symbols so that equations between expressions hold, one after the other; the symbols that are tied."""
     tied: set[Symbol] = set()
     for generator in context.generators:
@@ -39,7 +39,7 @@ def on_quadrics(context: Context, point: Point, bound: set[Symbol], draw: Random
             continue
         own = {k for k in movable if context.variables[k].symbol not in tied}
         if own and not is_zero(evaluate(context, generator.polynomial, point)):
-            found = _solved(_terms(context, generator, own, point), sorted(own), draw, rich)
+            found = _solved(_terms(context, generator, own, point), sorted(own), draw)
             point.update({context.variables[k].name: value for k, value in found.items()})
         tied |= {symbol for k in places if (symbol := context.variables[k].symbol) is not None}
     return tied
@@ -68,7 +68,7 @@ def _terms(context: Context, generator: Generator, own: set[int], point: Point) 
     return found
 
 
-def _solved(terms: Terms, places: Sequence[int], draw: Random, rich: bool) -> dict[int, Fraction]:
+def _solved(terms: Terms, places: Sequence[int], draw: RationalRandom) -> dict[int, Fraction]:
     """Values of the unknowns that solve the equation; none if none are found."""
     degree = max((sum(powers.values()) for _, powers in terms), default=0)
     for _ in range(ATTEMPTS):
@@ -76,11 +76,11 @@ def _solved(terms: Terms, places: Sequence[int], draw: Random, rich: bool) -> di
         for place in draw.sample(places, len(places)):
             for root in _roots(*_along(terms, {**values, place: Fraction(0)}, {place: Fraction(1)})):
                 found = {**values, place: root}
-                return _reflected(terms, found, draw) if rich and degree == 2 else found
+                return _reflected(terms, found, draw) if draw.rich and degree == 2 else found
     return {}
 
 
-def _reflected(terms: Terms, base: dict[int, Fraction], draw: Random) -> dict[int, Fraction]:
+def _reflected(terms: Terms, base: dict[int, Fraction], draw: RationalRandom) -> dict[int, Fraction]:
     """The other point of a quadric on a line through one of its points; that point if there is none."""
     for _ in range(ATTEMPTS):
         direction = {k: Fraction(draw.randint(-4, 4)) for k in base}

@@ -1,8 +1,7 @@
 """Simple rational numbers, vectors and matrices: unit vectors, points of the circle, rotations, definite matrices.
 
 Unit vectors come from stereographic projection, points of the circle from its rational parametrisation (Pythagorean
-triples), rotations from quaternions of integers (the Euler-Rodrigues formula). Values that are not `rich` are made of
-axes, quarter turns, zeros and ones as far as possible.
+triples), rotations from quaternions of integers (the Euler-Rodrigues formula).
 """
 
 from __future__ import annotations
@@ -38,78 +37,83 @@ CIRCLE = tuple(
 )
 
 
-def circle(draw: Random) -> tuple[Fraction, Fraction]:
-    """The cosine and sine of some angle."""
-    t = Fraction(draw.randint(-7, 7), draw.randint(1, 5))
-    return (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+class RationalRandom(Random):
+    """Draws numbers by a seed; where they are not `rich`, of axes, quarter turns, zeros and ones as far as possible."""
 
+    rich = False
 
-def free(shape: tuple[int, int], draw: Random, rich: bool) -> Numbers:
-    """A matrix without conditions."""
-    rows, columns = shape
-    if not rich and columns == 1 and rows == 3:
-        axis = draw.choice([*AXES, (0, 0, 0), (1, 1, 0), (1, 2, 0), (1, 0, 1), (1, 2, 3)])
-        return [[Fraction(x)] for x in axis]
-    reach = 5 if rich else 2
-    return [[Fraction(draw.randint(-reach, reach)) for _ in range(columns)] for _ in range(rows)]
+    def circle(self) -> tuple[Fraction, Fraction]:
+        """The cosine and sine of some angle."""
+        if not self.rich:
+            return self.choice(CIRCLE)
+        t = Fraction(self.randint(-7, 7), self.randint(1, 5))
+        return (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
 
+    def free(self, shape: tuple[int, int]) -> Numbers:
+        """A matrix without conditions."""
+        rows, columns = shape
+        if not self.rich and columns == 1 and rows == 3:
+            axis = self.choice([*AXES, (0, 0, 0), (1, 1, 0), (1, 2, 0), (1, 0, 1), (1, 2, 3)])
+            return [[Fraction(x)] for x in axis]
+        reach = 5 if self.rich else 2
+        return [[Fraction(self.randint(-reach, reach)) for _ in range(columns)] for _ in range(rows)]
 
-def unit_vector(draw: Random, rich: bool, size: int = 3) -> tuple[Fraction, ...]:
-    """A column of length one."""
-    if size != 3:
-        return tuple(on_sphere(size, draw, rich))
-    if not rich:
-        return draw.choice(UNIT_VECTORS)
-    a, b = (Fraction(draw.randint(-4, 4), draw.randint(1, 3)) for _ in range(2))
-    below = 1 + a * a + b * b
-    return 2 * a / below, 2 * b / below, (below - 2) / below
+    def spin(self, size: int) -> list[Fraction]:
+        """The entries of a skew-symmetric matrix: in three dimensions, those of a vector."""
+        return [row[0] for row in self.free((size * (size - 1) // 2, 1))]
 
+    def unit_vector(self, size: int = 3) -> tuple[Fraction, ...]:
+        """A column of length one."""
+        if size != 3:
+            return tuple(self.on_sphere(size))
+        if not self.rich:
+            return self.choice(UNIT_VECTORS)
+        a, b = (Fraction(self.randint(-4, 4), self.randint(1, 3)) for _ in range(2))
+        below = 1 + a * a + b * b
+        return 2 * a / below, 2 * b / below, (below - 2) / below
 
-def on_sphere(size: int, draw: Random, rich: bool) -> list[Fraction]:
-    """So many numbers whose squares add to one; what the first of them leave of it is a square too."""
-    if size == 1:
-        return [Fraction(draw.choice((1, -1)))]
-    cosine, sine = circle(draw) if rich else draw.choice(CIRCLE)
-    return [cosine, *(sine * entry for entry in on_sphere(size - 1, draw, rich))]
+    def on_sphere(self, size: int) -> list[Fraction]:
+        """So many numbers whose squares add to one; what the first of them leave of it is a square too."""
+        if size == 1:
+            return [Fraction(self.choice((1, -1)))]
+        cosine, sine = self.circle()
+        return [cosine, *(sine * entry for entry in self.on_sphere(size - 1))]
 
+    def rotation(self) -> Numbers:
+        """A rotation from a quaternion of integers; half of them have rational Euler-Rodrigues parameters too."""
+        reach = 3 if self.rich else 1
+        while True:
+            x, y, z, w = (Fraction(self.randint(-reach, reach)) for _ in range(4))
+            if self.rich and self.randint(0, 1):
+                w, sine = self.choice(CIRCLE)
+                x, y, z = (sine * entry for entry in self.choice(UNIT_VECTORS))
+            if total := x * x + y * y + z * z + w * w:
+                break
+        rows = [
+            [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+        return [[Fraction(entry, total) for entry in row] for row in rows]
 
-def rotation(draw: Random, rich: bool) -> Numbers:
-    """A rotation from a quaternion of integers; half of them have rational Euler-Rodrigues parameters too."""
-    reach = 3 if rich else 1
-    while True:
-        x, y, z, w = (Fraction(draw.randint(-reach, reach)) for _ in range(4))
-        if rich and draw.randint(0, 1):
-            w, sine = draw.choice(CIRCLE)
-            x, y, z = (sine * entry for entry in draw.choice(UNIT_VECTORS))
-        if total := x * x + y * y + z * z + w * w:
-            break
-    rows = [
-        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
-    ]
-    return [[Fraction(entry, total) for entry in row] for row in rows]
+    def half_turn(self) -> Numbers:
+        """A symmetric rotation other than the identity."""
+        u = self.unit_vector()
+        return [[2 * u[i] * u[j] - (i == j) for j in range(3)] for i in range(3)]
 
-
-def half_turn(draw: Random, rich: bool) -> Numbers:
-    """A symmetric rotation other than the identity."""
-    u = unit_vector(draw, rich)
-    return [[2 * u[i] * u[j] - (i == j) for j in range(3)] for i in range(3)]
-
-
-def definite(shape: tuple[int, int], draw: Random, rich: bool) -> Numbers:
-    """A symmetric, positive-definite matrix: a diagonal one, or 1 + G^T G."""
-    size = shape[0]
-    if not rich:
-        return [[Fraction(draw.randint(1, 3) if i == j else 0) for j in range(size)] for i in range(size)]
-    g = free((size, size), draw, rich)
-    return [[sum((row[i] * row[j] for row in g), Fraction(int(i == j))) for j in range(size)] for i in range(size)]
+    def definite(self, shape: tuple[int, int]) -> Numbers:
+        """A symmetric, positive-definite matrix: a diagonal one, or 1 + G^T G."""
+        size = shape[0]
+        if not self.rich:
+            return [[Fraction(self.randint(1, 3) if i == j else 0) for j in range(size)] for i in range(size)]
+        g = self.free((size, size))
+        return [[sum((row[i] * row[j] for row in g), Fraction(int(i == j))) for j in range(size)] for i in range(size)]
 
 
 _T = TypeVar("_T")
 
 
-class SimpleRandom(Random):
+class SimpleRandom(RationalRandom):
     """Draws as a person would: the first of a list half of the time, zero and one rather than other numbers."""
 
     def choice(self, items: Sequence[_T]) -> _T:  # type: ignore[override]
