@@ -17,7 +17,7 @@ from operator import add
 from chasles.algebra.groebner import Combination
 from chasles.algebra.localization import Ratio, times
 from chasles.algebra.rings import Polynomial
-from chasles.evaluation.matrices import Matrix, each, product, transposed
+from chasles.evaluation.matrices import each, product, transposed
 from chasles.points.adjustment import solution
 from chasles.points.evaluation import Point, evaluate
 from chasles.problems.context import Context, describe, difference
@@ -53,23 +53,16 @@ def solve_conditions(context: Context) -> tuple[tuple[Generator, ...], tuple[Sol
     if not problem.conditions:
         return (), ()
     _refuse_angles(context)
-    conditions = tuple(_polynomials(context))
-    places = [k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol in problem.unknowns]
-    matrix, constants = _linear(context, conditions, places)
-    exponents, scale, multipliers = _left_inverse(context, matrix)
-    solved = []
-    for row, place in enumerate(places):
-        solved.append(_one(context, conditions, constants, place, exponents, scale, multipliers[row]))
+    linear = LinearConditions(context)
+    solved = linear.solved()
     for symbol in problem.unknowns:
         rows, columns = symbol.shape
-        values = {
-            (context.variables[k].symbol, context.variables[k].row, context.variables[k].column): s.value
-            for k, s in zip(places, solved, strict=True)
-        }
+        variables = (context.variables[k] for k in linear.places)
+        values = {(v.symbol, v.row, v.column): s.value for v, s in zip(variables, solved, strict=True)}
         context.unfold.values[symbol] = [[values[symbol, i, j] for j in range(columns)] for i in range(rows)]
     context.unfold.forget()
-    context.conditions = conditions
-    return conditions, tuple(solved)
+    context.conditions = linear.conditions
+    return linear.conditions, solved
 
 
 def _refuse_angles(context: Context) -> None:
@@ -89,105 +82,89 @@ def _polynomials(context: Context) -> Iterator[Generator]:
                 yield Generator(f"{goal.label} [{i + 1}, {j + 1}]", entry.numerator)
 
 
-def _linear(
-    context: Context, conditions: tuple[Generator, ...], places: list[int]
-) -> tuple[list[list[Polynomial]], list[Polynomial]]:
-    """M and v with condition = M u - v."""
-    if not (conditions and places):
-        raise Underdetermined(f"the conditions do not say what {describe(context.problem.unknowns)} is")
-    ring = context.field.ring
-    matrix = [[ring.derivative(c.polynomial, place) for place in places] for c in conditions]
-    zero = ring.constant(Fraction(0))
-    constants = []
-    for condition, row in zip(conditions, matrix, strict=True):
-        rest = (
-            reduce(add, (m * ring.generators[p] for m, p in zip(row, places, strict=True)), zero) - condition.polynomial
+class LinearConditions:
+    """The conditions M u - v on the entries u of the unknowns; raises `Underdetermined` if they are not linear."""
+
+    def __init__(self, context: Context) -> None:
+        self.context, ring = context, context.field.ring
+        self.zero, self.one = (ring.constant(Fraction(k)) for k in (0, 1))
+        self.conditions = tuple(_polynomials(context))
+        unknowns = context.problem.unknowns
+        self.places = [k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol in unknowns]
+        if not (self.conditions and self.places):
+            raise Underdetermined(f"the conditions do not say what {describe(unknowns)} is")
+        self.matrix = [[ring.derivative(c.polynomial, place) for place in self.places] for c in self.conditions]
+        self.constants = []
+        for condition, row in zip(self.conditions, self.matrix, strict=True):
+            parts = (m * ring.generators[p] for m, p in zip(row, self.places, strict=True))
+            self.constants.append(reduce(add, parts, self.zero) - condition.polynomial)
+        for polynomial in (*self.constants, *(m for row in self.matrix for m in row)):
+            if any(ring.derivative(polynomial, place) != 0 for place in self.places):
+                raise Underdetermined(f"the conditions are not linear in {describe(unknowns)}")
+
+    def solved(self) -> tuple[Solved, ...]:
+        """What they determine. Raises `Underdetermined`."""
+        exponents, scale, multipliers = self._left_inverse()
+        rows = zip(self.places, multipliers, strict=True)
+        return tuple(self._one(place, exponents, scale, row) for place, row in rows)
+
+    def _left_inverse(self) -> tuple[tuple[int, ...], Fraction, list[list[Polynomial]]]:
+        """Exponents, a constant and X: X M is the constant times powers of nonzero factors, modulo the hypotheses."""
+        columns = transposed(self.matrix)
+        determinant, adjugate = self._adjugate(each(product(columns, self.matrix), self._reduced))
+        return *self._as_atoms(determinant), each(product(adjugate, columns), self._reduced)
+
+    def _one(self, place: int, exponents: tuple[int, ...], scale: Fraction, multipliers: list[Polynomial]) -> Solved:
+        ring, field, name = self.context.field.ring, self.context.field, self.context.variables[place].name
+        inverse = ring.constant(1 / scale)
+        factors = {k: m * inverse for k, m in enumerate(multipliers) if m != 0}
+        numerator = self._reduced(reduce(add, (f * self.constants[k] for k, f in factors.items()), self.zero))
+        claim = field.power_product(exponents) * ring.generators[place] - numerator
+        rest = claim - reduce(add, (f * self.conditions[k].polynomial for k, f in factors.items()), self.zero)
+        cofactors, remainder = self.context.basis.reduce(rest)
+        if remainder != 0:
+            raise Underdetermined(f"the conditions could not be solved for {name}")
+        return Solved(name, Ratio(field, numerator, exponents), factors, cofactors)
+
+    def _reduced(self, polynomial: Polynomial) -> Polynomial:
+        return self.context.basis.reduce(polynomial)[1]
+
+    def _adjugate(self, gram: list[list[Polynomial]]) -> tuple[Polynomial, list[list[Polynomial]]]:
+        """Determinant and adjugate of a small matrix, reduced by the hypotheses on the way."""
+
+        @cache
+        def minor(rows: tuple[int, ...], columns: tuple[int, ...]) -> Polynomial:
+            if not rows:
+                return self.one
+            total = self.zero
+            for k, column in enumerate(columns):
+                if gram[rows[0]][column] != 0:
+                    term = times(gram[rows[0]][column], minor(rows[1:], columns[:k] + columns[k + 1 :]))
+                    total = total + term if k % 2 == 0 else total - term
+            return self._reduced(total)
+
+        def cofactor(row: int, column: int) -> Polynomial:
+            found = minor(whole[:row] + whole[row + 1 :], whole[:column] + whole[column + 1 :])
+            return found if (row + column) % 2 == 0 else -found
+
+        whole = tuple(range(len(gram)))
+        return minor(whole, whole), [[cofactor(j, i) for j in whole] for i in whole]
+
+    def _as_atoms(self, determinant: Polynomial) -> tuple[tuple[int, ...], Fraction]:
+        """The determinant as a constant times powers of the nonzero factors, modulo the hypotheses."""
+        ring, field = self.context.field.ring, self.context.field
+        if determinant != 0:
+            for exponents in _exponents(len(field.nonzero)):
+                candidate = self._reduced(field.power_product(exponents))
+                if candidate == 0:
+                    continue
+                (mine, c), (theirs, d) = ring.leading(determinant), ring.leading(candidate)
+                if mine == theirs and determinant == candidate * ring.constant(c / d):
+                    return exponents, c / d
+        raise Underdetermined(
+            f"the conditions determine {describe(self.context.problem.unknowns)} only where a determinant is not zero "
+            "that no hypothesis declares nonzero: assume it, pose them on what they determine, or give a `solution`"
         )
-        constants.append(rest)
-    for polynomial in (*constants, *(m for row in matrix for m in row)):
-        if any(ring.derivative(polynomial, place) != 0 for place in places):
-            raise Underdetermined(f"the conditions are not linear in {describe(context.problem.unknowns)}")
-    return matrix, constants
-
-
-def _left_inverse(
-    context: Context, matrix: list[list[Polynomial]]
-) -> tuple[tuple[int, ...], Fraction, list[list[Polynomial]]]:
-    """Exponents, a constant and X: X M is the constant times powers of nonzero factors, modulo the hypotheses."""
-    columns = transposed(matrix)
-
-    def reduced(matrix: Matrix) -> Matrix:
-        return each(matrix, lambda entry: _reduced(context, entry))
-
-    determinant, adjugate = _adjugate(context, reduced(product(columns, matrix)))
-    return *_as_atoms(context, determinant), reduced(product(adjugate, columns))
-
-
-def _one(
-    context: Context,
-    conditions: tuple[Generator, ...],
-    constants: list[Polynomial],
-    place: int,
-    exponents: tuple[int, ...],
-    scale: Fraction,
-    multipliers: list[Polynomial],
-) -> Solved:
-    ring, field = context.field.ring, context.field
-    inverse = ring.constant(1 / scale)
-    factors = {k: m * inverse for k, m in enumerate(multipliers) if m != 0}
-    numerator = _reduced(
-        context, reduce(add, (f * constants[k] for k, f in factors.items()), ring.constant(Fraction(0)))
-    )
-    claim = field.power_product(exponents) * ring.generators[place] - numerator
-    rest = claim - reduce(add, (f * conditions[k].polynomial for k, f in factors.items()), ring.constant(Fraction(0)))
-    cofactors, remainder = context.basis.reduce(rest)
-    if remainder != 0:
-        raise Underdetermined(f"the conditions could not be solved for {context.variables[place].name}")
-    return Solved(context.variables[place].name, Ratio(field, numerator, exponents), factors, cofactors)
-
-
-def _reduced(context: Context, polynomial: Polynomial) -> Polynomial:
-    return context.basis.reduce(polynomial)[1]
-
-
-def _adjugate(context: Context, gram: list[list[Polynomial]]) -> tuple[Polynomial, list[list[Polynomial]]]:
-    """Determinant and adjugate of a small matrix, reduced by the hypotheses on the way."""
-    one = context.field.ring.constant(Fraction(1))
-
-    @cache
-    def minor(rows: tuple[int, ...], columns: tuple[int, ...]) -> Polynomial:
-        if not rows:
-            return one
-        total = context.field.ring.constant(Fraction(0))
-        for k, column in enumerate(columns):
-            if gram[rows[0]][column] != 0:
-                term = times(gram[rows[0]][column], minor(rows[1:], columns[:k] + columns[k + 1 :]))
-                total = total + term if k % 2 == 0 else total - term
-        return _reduced(context, total)
-
-    def cofactor(row: int, column: int) -> Polynomial:
-        found = minor(whole[:row] + whole[row + 1 :], whole[:column] + whole[column + 1 :])
-        return found if (row + column) % 2 == 0 else -found
-
-    whole = tuple(range(len(gram)))
-    return minor(whole, whole), [[cofactor(j, i) for j in whole] for i in whole]
-
-
-def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...], Fraction]:
-    """The determinant as a constant times powers of the nonzero factors, modulo the hypotheses."""
-    ring, field = context.field.ring, context.field
-    if determinant != 0:
-        for exponents in _exponents(len(field.nonzero)):
-            candidate = _reduced(context, field.power_product(exponents))
-            if candidate == 0:
-                continue
-            (mine, c), (theirs, d) = ring.leading(determinant), ring.leading(candidate)
-            if mine == theirs and determinant == candidate * ring.constant(c / d):
-                return exponents, c / d
-    raise Underdetermined(
-        f"the conditions determine {describe(context.problem.unknowns)} only where a determinant is not zero "
-        "that no hypothesis declares nonzero: assume it, pose them on what they determine, or give a `solution`"
-    )
 
 
 def _exponents(size: int) -> Iterator[tuple[int, ...]]:
@@ -199,16 +176,14 @@ def _exponents(size: int) -> Iterator[tuple[int, ...]]:
 
 def satisfying_point(context: Context, candidates: Iterable[Point]) -> Point | None:
     """A point at which the conditions hold: the unknowns solved for exactly, those left free set to zero."""
-    conditions = tuple(_polynomials(context))
-    places = [k for k, v in enumerate(context.variables) if v.kind == "entry" and v.symbol in context.problem.unknowns]
-    if not conditions:
+    if not any(_polynomials(context)):
         return next(iter(candidates), None)
-    matrix, constants = _linear(context, conditions, places)
-    names = [context.variables[place].name for place in places]
+    linear = LinearConditions(context)
+    names = [context.variables[place].name for place in linear.places]
     for point in candidates:
         rows = [
             [evaluate(context, entry, point).get(0, Fraction(0)) for entry in (*line, constant)]
-            for line, constant in zip(matrix, constants, strict=True)
+            for line, constant in zip(linear.matrix, linear.constants, strict=True)
         ]
         found = solution(rows)
         if found is not None:
