@@ -79,26 +79,15 @@ def normalized(column: Column) -> tuple[int, ...]:
 
 def combination(columns: Sequence[Column], target: Column) -> list[Fraction] | None:
     """The rational coefficients with which the columns add up to the target; None if there are none, or several."""
-    size, rows = len(columns), list(zip(*columns, target, strict=True))
-    pivots: dict[int, list[int]] = {}
+    size, rows = len(columns), list(map(list, zip(*columns, target, strict=True)))
+    span = Span()
     for row in rows:
-        line = list(row)
-        for column, pivot in pivots.items():
-            if factor := line[column]:
-                line = [(a - factor * b) % MODULUS for a, b in zip(line, pivot, strict=True)]
-        lead = next((column for column in range(size) if line[column]), None)
-        if lead is None:
-            if line[size]:
-                return None
-            continue
-        inverse = pow(line[lead], -1, MODULUS)
-        pivots[lead] = [entry * inverse % MODULUS for entry in line]
-        if len(pivots) == size:
-            break
-    if len(pivots) < size:
+        if len(span.rows) < size:
+            span.add(row)
+    if len(span.rows) < size or size in span.pivots:
         return None
     values = [0] * size
-    for column, pivot in reversed(pivots.items()):
+    for column, pivot in reversed(span.rows):
         values[column] = (pivot[size] - sum(pivot[k] * values[k] for k in range(size) if k != column)) % MODULUS
     if any((sum(a * x for a, x in zip(row, values, strict=False)) - row[size]) % MODULUS for row in rows):
         return None
