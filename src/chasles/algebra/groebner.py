@@ -7,7 +7,7 @@ a variable as a polynomial in others are substituted before any division.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
@@ -53,11 +53,16 @@ def put_in(ring: Ring, polynomial: Polynomial, values: Sequence[Explicit]) -> tu
             cofactor = ring.from_terms(lowered)
             afford(len(lowered) * len(equation))
             polynomial = polynomial - cofactor * equation
-            cofactors[k] = cofactors[k] + cofactor if k in cofactors else cofactor
+            cofactors = plus(cofactors, {k: cofactor})
     return cofactors, polynomial
 
 
 Combination = dict[int, Polynomial]
+
+
+def plus(one: Combination, other: Combination) -> Combination:
+    """The sum of two combinations; what vanishes in it is kept."""
+    return one | {k: one[k] + cofactor if k in one else cofactor for k, cofactor in other.items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,9 +84,7 @@ class Basis:
         if self.explicit:
             known, polynomial = put_in(self.ring, polynomial, self.explicit)
             others, remainder = self.without({k for k, _, _ in self.explicit}).reduce(polynomial)
-            cofactors = folded(known, self.origins)
-            for k, cofactor in others.items():
-                cofactors[k] = cofactors[k] + cofactor if k in cofactors else cofactor
+            cofactors = plus(folded(known, self.origins), others)
             return {k: c for k, c in cofactors.items() if c != 0}, remainder
         if not self._leads:
             self._leads.extend(leads_of(self.ring, self.generators))
@@ -93,6 +96,13 @@ class Basis:
         kept = [k for k in range(len(self.generators)) if k not in places]
         chosen = tuple(self.generators[k] for k in kept), tuple(self.origins[k] for k in kept)
         return Basis(self.ring, *chosen, complete=False)
+
+    def remainders(self) -> Iterator[tuple[Polynomial, Combination]]:
+        """What the others leave of each generator, if anything, as a combination of the stated hypotheses."""
+        for k, generator in enumerate(self.generators):
+            cofactors, remainder = self.without({k}).reduce(generator)
+            if remainder != 0:
+                yield remainder, plus(self.origins[k], {place: -cofactor for place, cofactor in cofactors.items()})
 
 
 def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combination:
@@ -171,9 +181,7 @@ def _complete(ring: Ring, generators: list[Polynomial], origins: list[Combinatio
         cofactors, remainder = reduce_by(ring, difference, generators, [lead for lead, _ in leads])
         if remainder == 0:
             continue
-        combination: Combination = {i: left, j: -right}
-        for place, cofactor in cofactors.items():
-            combination[place] = combination[place] - cofactor if place in combination else -cofactor
+        combination = plus({i: left, j: -right}, {place: -cofactor for place, cofactor in cofactors.items()})
         origins.append(folded(combination, tuple(origins)))
         generators.append(remainder)
         leads.append(ring.leading(remainder))

@@ -7,9 +7,10 @@ it may have.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain
 
 import sympy
 
@@ -82,25 +83,13 @@ def _searched(question: Question, conditions: Sequence[Hypothesis], effort: floa
     context = build(Problem((), problem.rules, (), problem.unknowns, (*conditions, *turned)))
     basis = completed(context.basis, effort) if effort else context.basis
     assumed = _assumed(question, context)
-    for polynomial, origin in _reduced(basis):
+    for polynomial, origin in chain(zip(basis.generators, basis.origins, strict=True), basis.remainders()):
         names = _forbidden(context, polynomial, assumed)
         if names is not None:
             return _told(
                 context, basis, polynomial, origin, names, dict(zip(turned, (h for h, _ in divisors), strict=True))
             )
     return None
-
-
-def _reduced(basis: Basis) -> Iterator[tuple[Polynomial, Combination]]:
-    """Each of the polynomials, and what the others leave of it, as combinations of the stated ones."""
-    yield from zip(basis.generators, basis.origins, strict=True)
-    for k, polynomial in enumerate(basis.generators):
-        cofactors, remainder = basis.without({k}).reduce(polynomial)
-        if remainder != 0:
-            combination = dict(basis.origins[k])
-            for place, cofactor in cofactors.items():
-                combination[place] = combination[place] - cofactor if place in combination else -cofactor
-            yield remainder, combination
 
 
 def _inverted(hypothesis: Hypothesis, node: Node, inverse: Symbol) -> Hypothesis:

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, islice
-from typing import Any, TypeVar
+from typing import Any
 
 from chasles.algebra.groebner import Basis, Combination, completed
 from chasles.algebra.rings import Polynomial, written
@@ -31,7 +31,6 @@ SAMPLES = 40
 """So many sample points are looked at for one at which all that is assumed holds."""
 WORK = 2e6
 """The work that a proof of a contradiction may take, in products of terms."""
-Item = TypeVar("Item")
 Proof = tuple[Combination, tuple[int, ...], Polynomial]
 """Cofactors, powers of nonzero factors, and the product of these less the combination: it is never positive."""
 
@@ -176,9 +175,7 @@ def _square_sum(context: Context, basis: Basis) -> Proof | None:
     places = {
         k: j for k, v in enumerate(ring.generators) for j, (_, factor) in enumerate(context.nonzero) if factor == v
     }
-    for number, generator in enumerate(basis.generators):
-        others = Basis(ring, _without(basis.generators, number), _without(basis.origins, number), complete=False)
-        cofactors, rest = others.reduce(generator)
+    for rest, parts in basis.remainders():
         terms = ring.terms(rest)
         for exponents, coefficient in terms if _one_sign(context, terms) else ():
             scale = ring.constant(1 / coefficient)
@@ -186,16 +183,9 @@ def _square_sum(context: Context, basis: Basis) -> Proof | None:
                 powers = [0] * len(context.nonzero)
                 for k, j in places.items():
                     powers[j] = exponents[k]
-                parts = dict(basis.origins[number])
-                for k, cofactor in cofactors.items():
-                    parts[k] = parts[k] - cofactor if k in parts else -cofactor
                 total = {k: cofactor * scale for k, cofactor in parts.items() if cofactor != 0}
                 return total, tuple(powers), context.field.power_product(tuple(powers)) - rest * scale
     return None
-
-
-def _without(items: tuple[Item, ...], place: int) -> tuple[Item, ...]:
-    return items[:place] + items[place + 1 :]
 
 
 def _one_sign(context: Context, terms: list[tuple[tuple[int, ...], Fraction]]) -> int:
