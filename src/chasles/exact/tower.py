@@ -54,10 +54,7 @@ class QuadraticTower:
             return x * y
         level = max(_level(x), _level(y))
         (a, b), (c, d) = _split(x, level), _split(y, level)
-        if not c or not d or not a or not b:
-            squares = self._weighted(a, c, b, d, level)
-        else:
-            squares = self.add(self.multiply(a, c), self._by_radicand(self.multiply(b, d), level))
+        squares = self.add(self._times(a, c), self._by_radicand(self._times(b, d), level))
         return _made(level, squares, self.add(self._times(a, d), self._times(b, c)))
 
     def negative(self, x: Surd) -> Surd:
@@ -147,14 +144,10 @@ class QuadraticTower:
         return self.add(self.multiply(a, a), self.negative(self._by_radicand(self.multiply(b, b), level)))
 
     def _by_radicand(self, x: Surd, level: int) -> Surd:
-        return self.multiply(x, self.radicands[level - 1])
+        return self._times(x, self.radicands[level - 1])
 
     def _times(self, x: Surd, y: Surd) -> Surd:
         return self.multiply(x, y) if x and y else ZERO
-
-    def _weighted(self, a: Surd, c: Surd, b: Surd, d: Surd, level: int) -> Surd:
-        product = self._times(b, d)
-        return self.add(self._times(a, c), ZERO if not product else self._by_radicand(product, level))
 
 
 def _level(x: Surd) -> int:
