@@ -79,7 +79,7 @@ def pages(kernels: tuple[TargetKernel, ...], on_registers: Sequence[Precision] =
         yield Page(f"src/{section}_blocks.c", "blocks.c.jinja", values)
     yield from _batches(kernels)
     checks = [check for kernel in kernels for check in vectors(kernel)]
-    yield Page("test/self_test.c", "self_test.c.jinja", {"checks": checks})
+    yield Page("test/self_test.c", "self_test.c.jinja", {"checks": checks, "precisions": list(map(_words, PRECISIONS))})
 
 
 def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
@@ -98,7 +98,9 @@ def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
 
 def _words(precision: Precision) -> dict[str, Any]:
     """How the two precisions differ in what is said once of both."""
-    return {"name": precision.name, "suffix": precision.suffix, "mark": precision.suffix.upper()}
+    suffix = precision.suffix
+    pasted, widened = (f"##{suffix}", "(double)") if suffix else ("", "")
+    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper(), "pasted": pasted, "widened": widened}
 
 
 def _functions(kernel: TargetKernel) -> tuple[Function, ...]:
