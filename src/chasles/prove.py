@@ -53,7 +53,7 @@ def prove(
     Symbols that are `complex=True` have all complex values, and the verdict speaks of their parts `re_z` and `im_z`.
     Where a conjugate or a part is taken of others, the verdict says that they are real. Square roots are the
     nonnegative ones and are meant where they are real, fractions where no divisor vanishes. Functions that are not
-    known may have any values, also at expressions, as f(x - c*t) and its derivatives.
+    known may have any values, also at expressions, as f(x - c*t) and its derivatives, and they have integrals.
 
     Args:
         lhs: a SymPy scalar or matrix, whose sizes may be letters, as in MatrixSymbol("A", n, n); a vector, dyadic or

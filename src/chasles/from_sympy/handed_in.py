@@ -24,6 +24,7 @@ from chasles.from_sympy.domains import also_defined, cancelled, lost_in
 from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import atoms_of, excerpt
+from chasles.from_sympy.unknown_integrands import is_tied, without_unknown_integrands
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 
@@ -39,7 +40,7 @@ def as_said(exact: bool, *said: Any) -> tuple[Any, ...]:
     lhs, rhs = sides_of(lhs) if rhs is None else (lhs, rhs)
     lhs, *others = in_components((also_defined(lhs, lost), rhs, *conditions))
     said = without_points((also_defined(lhs, lost_in(expressions_in([lhs, *others]))), *others))
-    return by_parts(tuple(map(as_decimals, said)) if exact else said)
+    return by_parts(without_unknown_integrands(tuple(map(as_decimals, said)) if exact else said))
 
 
 def readings_of(said: Said) -> Iterator[Said]:
@@ -54,6 +55,8 @@ def require_possible(verdict: Verdict, calls: Calls) -> None:
     """Raise `Rejected` unless functions may have the values that a verdict tells, and sides are real at its witness."""
     match verdict:
         case Fails(found):
+            if is_tied((value.function for value in calls.read.values()), calls.given):
+                raise Rejected("an integral or a sum of functions that are not known may not have any value")
             calls.require_free(found.at)
         case Holds() | HoldsUnder():
             calls.require_apart(verdict.witness or {})
