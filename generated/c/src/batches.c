@@ -130,12 +130,13 @@ static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps, const Str
 static void find_range(
     const chasles_loop *loop, int k, ptrdiff_t count, const char *at, ptrdiff_t step, Stride stride, uintptr_t *range)
 {
-    const ptrdiff_t ways[3] = {
-        (count - 1) * step, (loop->shapes[k].rows - 1) * stride.down, (loop->shapes[k].columns - 1) * stride.across};
-    ptrdiff_t low = 0, high = loop->number;
-    for (int i = 0; i < 3; i++) {
-        low += ways[i] < 0 ? ways[i] : 0;
-        high += ways[i] > 0 ? ways[i] : 0;
+    const ptrdiff_t last = (count - 1) * step;
+    ptrdiff_t low = last < 0 ? last : 0, high = (last > 0 ? last : 0) + (stride.dense ? size_of(loop, k) : loop->number);
+    if (!stride.dense) {
+        const ptrdiff_t down = (loop->shapes[k].rows - 1) * stride.down;
+        const ptrdiff_t across = (loop->shapes[k].columns - 1) * stride.across;
+        low += (down < 0 ? down : 0) + (across < 0 ? across : 0);
+        high += (down > 0 ? down : 0) + (across > 0 ? across : 0);
     }
     range[0] = (uintptr_t)at + (uintptr_t)low;
     range[1] = (uintptr_t)at + (uintptr_t)high;
@@ -446,7 +447,7 @@ void chasles_run(
     double store[CHASLES_STORE / sizeof(double)];
     Stride strides[CHASLES_OPERANDS];
     Run run;
-    int in_place_each[CHASLES_OPERANDS] = {0};
+    int in_place_each[CHASLES_OPERANDS];
     find_strides(loop, core, strides);
     const int over = overlaps(loop, count, at, steps, strides);
     int lies_well = !over;
@@ -460,8 +461,8 @@ void chasles_run(
         level = count >> shift_of(loop, level) == 0 || (lies_well && !packed) ? 1 : 2;
         lies_well = lies_well && (level == 1 || packed);
     }
-    for (int k = 0; k < loop->operands && !lies_well; k++) {
-        in_place_each[k] = is_taken(loop, k, steps[k], strides[k], level, count);
+    for (int k = 0; k < loop->operands; k++) {
+        in_place_each[k] = lies_well || is_taken(loop, k, steps[k], strides[k], level, count);
     }
     run.loop = loop;
     run.block = loop->blocks[level];

@@ -53,8 +53,13 @@
 
 /* Whether blocks of x86-64-v4 take items with gaps between them, as there are no others; else they know the steps. */
 #define CHASLES_GAPS (CHASLES_LEAST == 2)
-#define CHASLES_STEP(k, size) (CHASLES_LEVEL < 2 || CHASLES_GAPS ? steps[k] : (ptrdiff_t)(size))
-#define CHASLES_DENSE(found) (CHASLES_LEVEL < 2 || CHASLES_GAPS ? (found) : 1)
+
+/* Whether blocks know that all items are packed, which is row-major without gaps and one after the other; and whether
+ * those that move more than they compute look if it is so: constants for steps make them half as fast again. */
+#define CHASLES_PACKED (CHASLES_LEVEL == 2 && !CHASLES_GAPS)
+#define CHASLES_LOOKS (CHASLES_LEVEL == 1 || (CHASLES_LEVEL == 2 && CHASLES_GAPS))
+#define CHASLES_STEP(k, size) (packed ? (ptrdiff_t)(size) : steps[k])
+#define CHASLES_DENSE(found) (packed || (found))
 
 #if CHASLES_LEVELS == 1
 #define CHASLES_DECLARED(name) name##_baseline

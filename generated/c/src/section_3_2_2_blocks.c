@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_plucker_line_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_plucker_line_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -108,11 +105,14 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_plucker_line_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_plucker_line_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_plucker_line_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_plucker_line_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -201,11 +201,14 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_plucker_transfer_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_plucker_line_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_plucker_line_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_plucker_transfer_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -309,11 +312,22 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_plucker_transfer_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 4)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 10)) {
+        chasles_plucker_transfer_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_plucker_transfer_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_plucker_transfer_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -417,13 +431,24 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 4)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 10)) {
+        chasles_plucker_transfer_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_plucker_transfer_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_plucker_line_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -435,10 +460,7 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
 }
 
 void CHASLES_LEVELED(chasles_plucker_line_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -450,10 +472,7 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_plucker_transfer_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -466,10 +485,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
 }
 
 void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

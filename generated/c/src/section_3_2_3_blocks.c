@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_rotation_in_triad_axes_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -137,11 +134,21 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(9, 3, sizeof(double), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(double), steps[2], steps + 7)) {
+        chasles_rotation_in_triad_axes_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_in_triad_axes_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_in_triad_axes_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -259,11 +266,21 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(9, 3, sizeof(float), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(float), steps[2], steps + 7)) {
+        chasles_rotation_in_triad_axes_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_in_triad_axes_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_triads_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -381,11 +398,21 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(9, 3, sizeof(double), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(double), steps[2], steps + 7)) {
+        chasles_rotation_from_triads_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_from_triads_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_triads_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -503,13 +530,23 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(9, 3, sizeof(float), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(float), steps[2], steps + 7)) {
+        chasles_rotation_from_triads_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_from_triads_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -521,10 +558,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -536,10 +570,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -551,10 +582,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_cross_product_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -77,11 +74,20 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 2)
+        && is_packed(9, 3, sizeof(double), steps[1], steps + 4)) {
+        chasles_cross_product_matrix_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_cross_product_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_cross_product_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -139,11 +145,20 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 2)
+        && is_packed(9, 3, sizeof(float), steps[1], steps + 4)) {
+        chasles_cross_product_matrix_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_cross_product_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_axis_angle_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -229,11 +244,14 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_axis_angle_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_axis_angle_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -319,11 +337,14 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_point_after_displacement_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_axis_angle_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_point_after_displacement_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -447,11 +468,23 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_point_after_displacement_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 11)
+        && is_packed(3, 3, sizeof(double), steps[4], steps + 13)) {
+        chasles_point_after_displacement_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_point_after_displacement_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_point_after_displacement_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -575,11 +608,23 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 11)
+        && is_packed(3, 3, sizeof(float), steps[4], steps + 13)) {
+        chasles_point_after_displacement_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_point_after_displacement_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pitch_of_motion_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -640,11 +685,22 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 8)
+        && is_packed(1, 1, sizeof(double), steps[3], steps + 10)) {
+        chasles_pitch_of_motion_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_pitch_of_motion_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pitch_of_motion_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -705,13 +761,24 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 8)
+        && is_packed(1, 1, sizeof(float), steps[3], steps + 10)) {
+        chasles_pitch_of_motion_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_pitch_of_motion_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -722,10 +789,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -736,10 +800,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -751,10 +812,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -766,10 +824,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_point_after_displacement_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -783,10 +838,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
 }
 
 void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -800,10 +852,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -816,10 +865,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
 }
 
 void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_axial_vector_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_axial_vector_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -73,11 +70,20 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_axial_vector_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_axial_vector_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 2)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 4)) {
+        chasles_axial_vector_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_axial_vector_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_axial_vector_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -131,13 +137,22 @@ void CHASLES_LEVELED(chasles_axial_vector_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_axial_vector_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 2)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 4)) {
+        chasles_axial_vector_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_axial_vector_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_axial_vector_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -146,10 +161,7 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
 }
 
 void CHASLES_LEVELED(chasles_axial_vector_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

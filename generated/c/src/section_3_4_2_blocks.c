@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_natural_rate_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -115,11 +112,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_rate_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_rate_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -215,11 +215,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_rate_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_rate_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -314,11 +317,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_linear_rate_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_rate_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -413,11 +419,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_linear_rate_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -496,11 +505,21 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 5)
+        && is_packed(12, 3, sizeof(double), steps[2], steps + 7)) {
+        chasles_euler_rodrigues_rate_matrix_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_rate_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -579,11 +598,21 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 5)
+        && is_packed(12, 3, sizeof(float), steps[2], steps + 7)) {
+        chasles_euler_rodrigues_rate_matrix_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_rate_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_linear_invariants_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -657,11 +686,21 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(double), steps[2], steps + 7)) {
+        chasles_rotation_from_linear_invariants_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_from_linear_invariants_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_linear_invariants_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -735,11 +774,21 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(float), steps[2], steps + 7)) {
+        chasles_rotation_from_linear_invariants_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_from_linear_invariants_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -816,11 +865,21 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(double), steps[2], steps + 7)) {
+        chasles_rotation_from_euler_rodrigues_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_from_euler_rodrigues_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -897,11 +956,21 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_invariants_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(float), steps[2], steps + 7)) {
+        chasles_rotation_from_euler_rodrigues_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_rotation_from_euler_rodrigues_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_invariants_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -968,11 +1037,21 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_invariants_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[2], steps + 7)) {
+        chasles_linear_invariants_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_linear_invariants_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_invariants_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1039,11 +1118,21 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_invariants_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[2], steps + 7)) {
+        chasles_linear_invariants_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_linear_invariants_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_invariants_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1178,11 +1267,14 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_invariants_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_invariants_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_invariants_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1318,11 +1410,14 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_invariants_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_parameters_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1445,11 +1540,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rodrigues_parameters_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_parameters_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1572,11 +1670,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_screw_of_motion_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rodrigues_parameters_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_screw_of_motion_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1779,11 +1880,14 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_screw_of_motion_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_screw_of_motion_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_screw_of_motion_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1986,11 +2090,14 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_instant_screw_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_screw_of_motion_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_instant_screw_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2108,11 +2215,14 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_instant_screw_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_instant_screw_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_instant_screw_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_instant_screw_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2230,11 +2340,14 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_instant_screw_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_instant_screw_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_velocity_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2328,11 +2441,21 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 5)
+        && is_packed(12, 4, sizeof(double), steps[2], steps + 7)) {
+        chasles_natural_velocity_matrix_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_natural_velocity_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_velocity_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2426,11 +2549,21 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 5)
+        && is_packed(12, 4, sizeof(float), steps[2], steps + 7)) {
+        chasles_natural_velocity_matrix_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_natural_velocity_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_velocity_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2521,11 +2654,21 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 5)
+        && is_packed(12, 4, sizeof(double), steps[2], steps + 7)) {
+        chasles_linear_velocity_matrix_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_linear_velocity_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_velocity_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2616,11 +2759,21 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 5)
+        && is_packed(12, 4, sizeof(float), steps[2], steps + 7)) {
+        chasles_linear_velocity_matrix_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_linear_velocity_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2711,11 +2864,21 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 5)
+        && is_packed(12, 4, sizeof(double), steps[2], steps + 7)) {
+        chasles_euler_rodrigues_velocity_matrix_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_velocity_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2806,11 +2969,21 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 5)
+        && is_packed(12, 4, sizeof(float), steps[2], steps + 7)) {
+        chasles_euler_rodrigues_velocity_matrix_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_velocity_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_rate_natural_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2911,11 +3084,14 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_rate_natural_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_rate_natural_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3016,11 +3192,14 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_rate_natural_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_rate_linear_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3124,11 +3303,14 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_rate_linear_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_rate_linear_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3232,11 +3414,14 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_rate_linear_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3340,11 +3525,22 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 8)
+        && is_packed(7, 7, sizeof(double), steps[3], steps + 10)) {
+        chasles_pose_rate_euler_rodrigues_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_pose_rate_euler_rodrigues_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3448,11 +3644,22 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 8)
+        && is_packed(7, 7, sizeof(float), steps[3], steps + 10)) {
+        chasles_pose_rate_euler_rodrigues_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_pose_rate_euler_rodrigues_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_from_pose_rate_natural_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3555,11 +3762,22 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(7, 7, sizeof(double), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 10)) {
+        chasles_twist_from_pose_rate_natural_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_from_pose_rate_natural_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_from_pose_rate_natural_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3662,11 +3880,22 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(7, 7, sizeof(float), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 10)) {
+        chasles_twist_from_pose_rate_natural_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_from_pose_rate_natural_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_from_pose_rate_linear_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3770,11 +3999,14 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_twist_from_pose_rate_linear_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_from_pose_rate_linear_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3878,11 +4110,14 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_twist_from_pose_rate_linear_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3986,11 +4221,14 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_twist_from_pose_rate_euler_rodrigues_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4094,11 +4332,14 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_transfer_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_twist_from_pose_rate_euler_rodrigues_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_transfer_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -4202,11 +4443,22 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_transfer_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 4)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 10)) {
+        chasles_twist_transfer_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_transfer_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_transfer_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -4310,13 +4562,24 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 4)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 10)) {
+        chasles_twist_transfer_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_transfer_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4328,10 +4591,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4343,10 +4603,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4358,10 +4615,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4373,10 +4627,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4388,10 +4639,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4403,10 +4651,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4418,10 +4663,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4433,10 +4675,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4448,10 +4687,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4463,10 +4699,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_linear_invariants_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4478,10 +4711,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
 }
 
 void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4493,10 +4723,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_natural_invariants_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4508,10 +4735,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
 }
 
 void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4523,10 +4747,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4538,10 +4759,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4553,10 +4771,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_screw_of_motion_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4571,10 +4786,7 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
 }
 
 void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4589,10 +4801,7 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_instant_screw_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4606,10 +4815,7 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
 }
 
 void CHASLES_LEVELED(chasles_instant_screw_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4623,10 +4829,7 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4638,10 +4841,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4653,10 +4853,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4668,10 +4865,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4683,10 +4877,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4698,10 +4889,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4713,10 +4901,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4729,10 +4914,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4745,10 +4927,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4761,10 +4940,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4777,10 +4953,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4793,10 +4966,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
 }
 
 void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4809,10 +4979,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4825,10 +4992,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4841,10 +5005,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4857,10 +5018,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4873,10 +5031,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4889,10 +5044,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4905,10 +5057,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_transfer_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4921,10 +5070,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

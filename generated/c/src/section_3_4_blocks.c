@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_velocity_of_point_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_velocity_of_point_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -129,11 +126,23 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_velocity_of_point_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 11)
+        && is_packed(3, 3, sizeof(double), steps[4], steps + 13)) {
+        chasles_velocity_of_point_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_velocity_of_point_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_velocity_of_point_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -243,13 +252,25 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 11)
+        && is_packed(3, 3, sizeof(float), steps[4], steps + 13)) {
+        chasles_velocity_of_point_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_velocity_of_point_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_velocity_of_point_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -263,10 +284,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
 }
 
 void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_angular_acceleration_matrix_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -106,11 +103,21 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 3)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(double), steps[2], steps + 7)) {
+        chasles_angular_acceleration_matrix_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_angular_acceleration_matrix_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_angular_acceleration_matrix_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -197,11 +204,21 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 3)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 5)
+        && is_packed(9, 3, sizeof(float), steps[2], steps + 7)) {
+        chasles_angular_acceleration_matrix_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_angular_acceleration_matrix_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_acceleration_of_point_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -337,11 +354,24 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 8)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 10)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 12)
+        && is_packed(3, 3, sizeof(double), steps[4], steps + 14)
+        && is_packed(3, 3, sizeof(double), steps[5], steps + 16)) {
+        chasles_acceleration_of_point_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_acceleration_of_point_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -477,11 +507,24 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 8)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 10)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 12)
+        && is_packed(3, 3, sizeof(float), steps[4], steps + 14)
+        && is_packed(3, 3, sizeof(float), steps[5], steps + 16)) {
+        chasles_acceleration_of_point_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_acceleration_of_point_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_rate_matrix_dot_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -616,11 +659,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_rate_matrix_dot_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_rate_matrix_dot_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -755,11 +801,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_rate_matrix_dot_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_rate_matrix_dot_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -899,11 +948,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_linear_rate_matrix_dot_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_rate_matrix_dot_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1043,11 +1095,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_linear_rate_matrix_dot_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1162,11 +1217,22 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 8)
+        && is_packed(12, 3, sizeof(double), steps[3], steps + 10)) {
+        chasles_euler_rodrigues_rate_matrix_dot_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_rate_matrix_dot_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1281,11 +1347,22 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 8)
+        && is_packed(12, 3, sizeof(float), steps[3], steps + 10)) {
+        chasles_euler_rodrigues_rate_matrix_dot_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_rate_matrix_dot_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_velocity_matrix_dot_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1419,11 +1496,14 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_velocity_matrix_dot_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_natural_velocity_matrix_dot_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1557,11 +1637,14 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_natural_velocity_matrix_dot_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_velocity_matrix_dot_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1688,11 +1771,14 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_linear_velocity_matrix_dot_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_linear_velocity_matrix_dot_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1819,11 +1905,14 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_linear_velocity_matrix_dot_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1948,11 +2037,22 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 8)
+        && is_packed(12, 4, sizeof(double), steps[3], steps + 10)) {
+        chasles_euler_rodrigues_velocity_matrix_dot_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_velocity_matrix_dot_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2077,11 +2177,22 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 8)
+        && is_packed(12, 4, sizeof(float), steps[3], steps + 10)) {
+        chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2214,11 +2325,14 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_acceleration_natural_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2351,11 +2465,14 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_acceleration_natural_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2487,11 +2604,14 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_acceleration_linear_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2623,11 +2743,14 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_pose_acceleration_linear_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2755,11 +2878,23 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 9)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 11)
+        && is_packed(7, 7, sizeof(double), steps[4], steps + 13)) {
+        chasles_pose_acceleration_euler_rodrigues_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_pose_acceleration_euler_rodrigues_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2887,11 +3022,23 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 9)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 11)
+        && is_packed(7, 7, sizeof(float), steps[4], steps + 13)) {
+        chasles_pose_acceleration_euler_rodrigues_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_pose_acceleration_euler_rodrigues_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_rate_from_pose_natural_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3021,11 +3168,23 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(7, 7, sizeof(double), steps[2], steps + 9)
+        && is_packed(7, 7, sizeof(double), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_twist_rate_from_pose_natural_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_rate_from_pose_natural_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_rate_from_pose_natural_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3155,11 +3314,23 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(7, 7, sizeof(float), steps[2], steps + 9)
+        && is_packed(7, 7, sizeof(float), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_twist_rate_from_pose_natural_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_rate_from_pose_natural_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_rate_from_pose_linear_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3290,11 +3461,14 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_twist_rate_from_pose_linear_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_rate_from_pose_linear_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3425,11 +3599,14 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_twist_rate_from_pose_linear_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3533,11 +3710,23 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(7, 7, sizeof(double), steps[2], steps + 9)
+        && is_packed(7, 7, sizeof(double), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_twist_rate_from_pose_euler_rodrigues_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_rate_from_pose_euler_rodrigues_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3641,13 +3830,25 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(7, 7, sizeof(float), steps[2], steps + 9)
+        && is_packed(7, 7, sizeof(float), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3659,10 +3860,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
 }
 
 void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3674,10 +3872,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3692,10 +3887,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
 }
 
 void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3710,10 +3902,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3726,10 +3915,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
 }
 
 void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3742,10 +3928,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3758,10 +3941,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
 }
 
 void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3774,10 +3954,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3790,10 +3967,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3806,10 +3980,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3822,10 +3993,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
 }
 
 void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3838,10 +4006,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3854,10 +4019,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
 }
 
 void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3870,10 +4032,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3886,10 +4045,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3902,10 +4058,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3919,10 +4072,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3936,10 +4086,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3953,10 +4100,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3970,10 +4114,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3987,10 +4128,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
 }
 
 void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4004,10 +4142,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4021,10 +4156,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4038,10 +4170,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4055,10 +4184,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4072,10 +4198,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -4089,10 +4212,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
 }
 
 void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -166,11 +163,24 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 6)
+        && is_packed(9, 3, sizeof(double), steps[1], steps + 8)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 10)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 12)
+        && is_packed(3, 3, sizeof(double), steps[4], steps + 14)
+        && is_packed(3, 3, sizeof(double), steps[5], steps + 16)) {
+        chasles_moving_frame_velocity_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_moving_frame_velocity_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -317,11 +327,24 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 6)
+        && is_packed(9, 3, sizeof(float), steps[1], steps + 8)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 10)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 12)
+        && is_packed(3, 3, sizeof(float), steps[4], steps + 14)
+        && is_packed(3, 3, sizeof(float), steps[5], steps + 16)) {
+        chasles_moving_frame_velocity_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_moving_frame_velocity_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -517,11 +540,26 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(double), steps[0], steps + 8)
+        && is_packed(9, 3, sizeof(double), steps[1], steps + 10)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 12)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 14)
+        && is_packed(3, 3, sizeof(double), steps[4], steps + 16)
+        && is_packed(3, 3, sizeof(double), steps[5], steps + 18)
+        && is_packed(3, 3, sizeof(double), steps[6], steps + 20)
+        && is_packed(3, 3, sizeof(double), steps[7], steps + 22)) {
+        chasles_moving_frame_acceleration_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_moving_frame_acceleration_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -717,13 +755,28 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(3, 3, sizeof(float), steps[0], steps + 8)
+        && is_packed(9, 3, sizeof(float), steps[1], steps + 10)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 12)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 14)
+        && is_packed(3, 3, sizeof(float), steps[4], steps + 16)
+        && is_packed(3, 3, sizeof(float), steps[5], steps + 18)
+        && is_packed(3, 3, sizeof(float), steps[6], steps + 20)
+        && is_packed(3, 3, sizeof(float), steps[7], steps + 22)) {
+        chasles_moving_frame_acceleration_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_moving_frame_acceleration_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -738,10 +791,7 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
 }
 
 void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -756,10 +806,7 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -776,10 +823,7 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
 }
 
 void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

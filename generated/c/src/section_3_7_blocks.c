@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_wrench_axis_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_wrench_axis_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -137,11 +134,14 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_wrench_axis_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_wrench_axis_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_wrench_axis_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -259,11 +259,14 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_power_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_wrench_axis_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_power_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -332,11 +335,21 @@ void CHASLES_LEVELED(chasles_power_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_power_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_power_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 3)
+        && is_packed(6, 6, sizeof(double), steps[1], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[2], steps + 7)) {
+        chasles_power_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_power_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_power_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -405,11 +418,21 @@ void CHASLES_LEVELED(chasles_power_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_reciprocal_product_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_power_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 3)
+        && is_packed(6, 6, sizeof(float), steps[1], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[2], steps + 7)) {
+        chasles_power_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_power_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_reciprocal_product_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -478,11 +501,21 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_reciprocal_product_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 3)
+        && is_packed(6, 6, sizeof(double), steps[1], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[2], steps + 7)) {
+        chasles_reciprocal_product_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_reciprocal_product_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_reciprocal_product_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -551,11 +584,21 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_wrench_transfer_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 3)
+        && is_packed(6, 6, sizeof(float), steps[1], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[2], steps + 7)) {
+        chasles_reciprocal_product_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_reciprocal_product_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_wrench_transfer_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -659,11 +702,22 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_wrench_transfer_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 4)
+        && is_packed(3, 3, sizeof(double), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 10)) {
+        chasles_wrench_transfer_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_wrench_transfer_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_wrench_transfer_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -767,13 +821,24 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 4)
+        && is_packed(3, 3, sizeof(float), steps[1], steps + 6)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 10)) {
+        chasles_wrench_transfer_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_wrench_transfer_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_wrench_axis_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -787,10 +852,7 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
 }
 
 void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -804,10 +866,7 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_power_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -819,10 +878,7 @@ void CHASLES_LEVELED(chasles_power_block)(
 }
 
 void CHASLES_LEVELED(chasles_power_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -834,10 +890,7 @@ void CHASLES_LEVELED(chasles_power_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_reciprocal_product_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -849,10 +902,7 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
 }
 
 void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -864,10 +914,7 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_wrench_transfer_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -880,10 +927,7 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
 }
 
 void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

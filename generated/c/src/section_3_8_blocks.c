@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_inertia_about_point_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_inertia_about_point_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -151,11 +148,23 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_about_point_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 11)
+        && is_packed(9, 3, sizeof(double), steps[4], steps + 13)) {
+        chasles_inertia_about_point_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_about_point_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_about_point_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -287,11 +296,23 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 11)
+        && is_packed(9, 3, sizeof(float), steps[4], steps + 13)) {
+        chasles_inertia_about_point_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_about_point_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_about_point_sym6_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -406,11 +427,23 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_inertia_about_point_sym6_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_about_point_sym6_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_about_point_sym6_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -525,11 +558,23 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_momentum_screw_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_inertia_about_point_sym6_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_about_point_sym6_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_momentum_screw_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -630,11 +675,22 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_momentum_screw_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 10)) {
+        chasles_momentum_screw_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_momentum_screw_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_momentum_screw_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -735,11 +791,22 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 10)) {
+        chasles_momentum_screw_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_momentum_screw_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_momentum_screw_sym6_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -833,11 +900,22 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 10)) {
+        chasles_momentum_screw_sym6_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_momentum_screw_sym6_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_momentum_screw_sym6_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -931,11 +1009,22 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_kinetic_energy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 8)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 10)) {
+        chasles_momentum_screw_sym6_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_momentum_screw_sym6_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_kinetic_energy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1020,11 +1109,22 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_kinetic_energy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 8)
+        && is_packed(1, 1, sizeof(double), steps[3], steps + 10)) {
+        chasles_kinetic_energy_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_kinetic_energy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_kinetic_energy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1109,11 +1209,22 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 8)
+        && is_packed(1, 1, sizeof(float), steps[3], steps + 10)) {
+        chasles_kinetic_energy_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_kinetic_energy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_kinetic_energy_sym6_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -1191,11 +1302,22 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 8)
+        && is_packed(1, 1, sizeof(double), steps[3], steps + 10)) {
+        chasles_kinetic_energy_sym6_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_kinetic_energy_sym6_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_kinetic_energy_sym6_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -1273,11 +1395,22 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 4)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 6)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 8)
+        && is_packed(1, 1, sizeof(float), steps[3], steps + 10)) {
+        chasles_kinetic_energy_sym6_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_kinetic_energy_sym6_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_wrench_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1404,11 +1537,23 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 9)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_newton_euler_wrench_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_newton_euler_wrench_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_wrench_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -1535,11 +1680,23 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 9)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_newton_euler_wrench_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_newton_euler_wrench_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_wrench_sym6_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -1659,11 +1816,23 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(6, 6, sizeof(double), steps[2], steps + 9)
+        && is_packed(6, 6, sizeof(double), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_newton_euler_wrench_sym6_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_newton_euler_wrench_sym6_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_wrench_sym6_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -1783,11 +1952,23 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(6, 6, sizeof(float), steps[2], steps + 9)
+        && is_packed(6, 6, sizeof(float), steps[3], steps + 11)
+        && is_packed(6, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_newton_euler_wrench_sym6_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_newton_euler_wrench_sym6_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_twist_rate_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -1953,11 +2134,14 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_newton_euler_twist_rate_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_twist_rate_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -2124,11 +2308,14 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_newton_euler_twist_rate_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -2276,11 +2463,14 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_newton_euler_twist_rate_sym6_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -2429,11 +2619,14 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_dyad_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_newton_euler_twist_rate_sym6_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_dyad_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
@@ -2639,11 +2832,23 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_dyad_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 11)
+        && is_packed(36, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_inertia_dyad_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_dyad_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_dyad_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
@@ -2849,11 +3054,23 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(9, 3, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 11)
+        && is_packed(36, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_inertia_dyad_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_dyad_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_dyad_sym6_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
@@ -3046,11 +3263,23 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(double), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(double), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(double), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(double), steps[3], steps + 11)
+        && is_packed(36, 6, sizeof(double), steps[4], steps + 13)) {
+        chasles_inertia_dyad_sym6_block_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_dyad_sym6_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_inertia_dyad_sym6_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
@@ -3243,13 +3472,25 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    if (CHASLES_LOOKS
+        && is_packed(6, 6, sizeof(float), steps[0], steps + 5)
+        && is_packed(1, 1, sizeof(float), steps[1], steps + 7)
+        && is_packed(3, 3, sizeof(float), steps[2], steps + 9)
+        && is_packed(3, 3, sizeof(float), steps[3], steps + 11)
+        && is_packed(36, 6, sizeof(float), steps[4], steps + 13)) {
+        chasles_inertia_dyad_sym6_blockf_items(groups, at, steps, stream, 1);
+        return;
+    }
+    chasles_inertia_dyad_sym6_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_inertia_about_point_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3263,10 +3504,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3280,10 +3518,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3297,10 +3532,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3314,10 +3546,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3330,10 +3559,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3346,10 +3572,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3362,10 +3585,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
 }
 
 void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3378,10 +3598,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3394,10 +3611,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3410,10 +3624,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3426,10 +3637,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
 }
 
 void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3442,10 +3650,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3459,10 +3664,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3476,10 +3678,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3493,10 +3692,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3510,10 +3706,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3527,10 +3720,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3544,10 +3734,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3561,10 +3748,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
 }
 
 void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3578,10 +3762,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3595,10 +3776,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3612,10 +3790,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -3629,10 +3804,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
 }
 
 void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

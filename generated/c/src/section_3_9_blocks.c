@@ -15,11 +15,8 @@
 
 #if CHASLES_VECTORS
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+CHASLES_INLINE void chasles_rotation_from_euler_xyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -100,11 +97,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -185,11 +185,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -258,11 +261,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -340,11 +346,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -422,11 +431,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -504,11 +516,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -588,11 +603,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -673,11 +691,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -758,11 +779,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -843,11 +867,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -916,11 +943,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -998,11 +1028,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1080,11 +1113,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1162,11 +1198,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1246,11 +1285,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1331,11 +1373,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1416,11 +1461,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1501,11 +1549,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1574,11 +1625,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1656,11 +1710,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1738,11 +1795,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1820,11 +1880,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -1904,11 +1967,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -1989,11 +2055,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2074,11 +2143,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_xzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2159,11 +2231,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_xzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2232,11 +2307,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_xzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2314,11 +2392,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_xzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2396,11 +2477,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2478,11 +2562,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_xzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2562,11 +2649,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_xzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2647,11 +2737,14 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_xzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2732,11 +2825,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2817,11 +2913,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -2890,11 +2989,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -2972,11 +3074,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3054,11 +3159,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3136,11 +3244,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3220,11 +3331,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3305,11 +3419,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3390,11 +3507,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3475,11 +3595,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3548,11 +3671,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3630,11 +3756,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3712,11 +3841,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3794,11 +3926,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -3878,11 +4013,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -3963,11 +4101,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4048,11 +4189,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4133,11 +4277,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4206,11 +4353,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4288,11 +4438,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4370,11 +4523,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4452,11 +4608,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yzx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4536,11 +4695,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yzx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yzx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4621,11 +4783,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yzx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4706,11 +4871,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_yzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4791,11 +4959,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_yzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -4864,11 +5035,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_yzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -4946,11 +5120,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_yzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -5028,11 +5205,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -5110,11 +5290,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_yzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yzy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -5194,11 +5377,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yzy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_yzy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -5279,11 +5465,14 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_yzy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -5364,11 +5553,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -5449,11 +5641,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -5522,11 +5717,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -5604,11 +5802,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -5686,11 +5887,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -5768,11 +5972,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zxy_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -5852,11 +6059,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zxy_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zxy_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -5937,11 +6147,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zxy_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -6022,11 +6235,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -6107,11 +6323,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -6180,11 +6399,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -6262,11 +6484,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -6344,11 +6569,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -6426,11 +6654,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zxz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -6510,11 +6741,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zxz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zxz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -6595,11 +6829,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zxz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -6680,11 +6917,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -6765,11 +7005,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -6838,11 +7081,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -6920,11 +7166,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -7002,11 +7251,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -7084,11 +7336,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zyx_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -7168,11 +7423,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zyx_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zyx_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -7253,11 +7511,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zyx_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -7338,11 +7599,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_rotation_from_euler_zyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -7423,11 +7687,14 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_rotation_from_euler_zyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -7496,11 +7763,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_zyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -7578,11 +7848,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_zyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -7660,11 +7933,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -7742,11 +8018,14 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rate_matrix_body_zyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zyz_block_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
@@ -7826,11 +8105,14 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     }
 }
 
-void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zyz_block_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
+CHASLES_INLINE void chasles_euler_rates_zyz_blockf_items(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream, const int packed)
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
@@ -7911,13 +8193,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     }
 }
 
+void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
+{
+    chasles_euler_rates_zyz_blockf_items(groups, at, steps, stream, CHASLES_PACKED);
+}
+
 #else
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -7928,10 +8213,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -7942,10 +8224,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -7956,10 +8235,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -7970,10 +8246,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -7984,10 +8257,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -7998,10 +8268,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8013,10 +8280,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8028,10 +8292,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8042,10 +8303,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8056,10 +8314,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8070,10 +8325,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8084,10 +8336,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8098,10 +8347,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8112,10 +8358,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8127,10 +8370,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8142,10 +8382,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8156,10 +8393,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8170,10 +8404,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8184,10 +8415,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8198,10 +8426,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8212,10 +8437,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8226,10 +8448,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8241,10 +8460,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8256,10 +8472,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8270,10 +8483,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8284,10 +8494,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8298,10 +8505,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8312,10 +8516,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8326,10 +8527,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8340,10 +8538,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8355,10 +8550,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8370,10 +8562,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8384,10 +8573,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8398,10 +8584,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8412,10 +8595,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8426,10 +8606,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8440,10 +8617,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8454,10 +8628,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8469,10 +8640,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8484,10 +8652,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8498,10 +8663,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8512,10 +8674,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8526,10 +8685,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8540,10 +8696,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8554,10 +8707,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8568,10 +8718,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8583,10 +8730,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8598,10 +8742,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8612,10 +8753,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8626,10 +8764,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8640,10 +8775,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8654,10 +8786,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8668,10 +8797,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8682,10 +8808,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8697,10 +8820,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8712,10 +8832,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8726,10 +8843,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8740,10 +8854,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8754,10 +8865,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8768,10 +8876,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8782,10 +8887,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8796,10 +8898,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8811,10 +8910,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8826,10 +8922,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8840,10 +8933,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8854,10 +8944,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8868,10 +8955,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8882,10 +8966,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8896,10 +8977,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8910,10 +8988,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8925,10 +9000,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8940,10 +9012,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8954,10 +9023,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8968,10 +9034,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8982,10 +9045,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -8996,10 +9056,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9010,10 +9067,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9024,10 +9078,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9039,10 +9090,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9054,10 +9102,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9068,10 +9113,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9082,10 +9124,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9096,10 +9135,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9110,10 +9146,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9124,10 +9157,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9138,10 +9168,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9153,10 +9180,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9168,10 +9192,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9182,10 +9203,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9196,10 +9214,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9210,10 +9225,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9224,10 +9236,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9238,10 +9247,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9252,10 +9258,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {
@@ -9267,10 +9270,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
 }
 
 void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
-    ptrdiff_t groups,
-    char *const *at,
-    const ptrdiff_t *steps,
-    const chasles_stream *stream)
+    ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream)
 {
     (void)stream;
     for (ptrdiff_t i = 0; i < groups; i++) {

@@ -548,6 +548,12 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
     put_row(at, step, 3, 4, UPPER(xy_, zw_));
 }
 
+/* Whether the items of an operand, of so many numbers, are packed; `core` has the steps down and across in an item. */
+CHASLES_INLINE int is_packed(ptrdiff_t count, ptrdiff_t columns, ptrdiff_t size, ptrdiff_t step, const ptrdiff_t *core)
+{
+    return step == count * size && core[0] == columns * size && core[1] == size;
+}
+
 /* Whether the numbers of an item lie one after the other, and items apart. If not, `entries` says how many bytes each lies
  * behind the first: `core` has the steps between rows of so many columns, and in a row. */
 static CHASLES_APART __attribute__((unused)) int find_entries(

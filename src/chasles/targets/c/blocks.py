@@ -8,10 +8,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.lowering.cost import cost
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import MOST_ENTRIES, MOST_OPERANDS, Program
 from chasles.targets.c.functions import public_name
-from chasles.targets.c.moves import copies, loads, operands, read, stores
+from chasles.targets.c.moves import copies, loads, operands, packed, read, stores
 from chasles.targets.c.parts import KEPT, CutFunction, CutProgram, parts_of
 from chasles.targets.c.sincos import parted
 from chasles.targets.c.vectorised import ON_REGISTERS, register, spread
@@ -21,16 +22,20 @@ from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
 _WORD = re.compile(r"\w+")
+_MOST_COST = 4
+"""Where a number that is moved goes with more arithmetic than so many additions, its move costs little beside it."""
 
 
 @dataclass(frozen=True, slots=True)
 class BlockFunction:
-    """A block function: its prototype, its lines on registers, and those that call the scalar kernel.
+    """A block function: its name without a level, its lines on registers, and those that call the scalar kernel.
 
-    `parts` are the functions that those on registers call, where they are many, with `void` before each.
+    `parts` are the functions that those on registers call, where they are many, with `void` before each. `choice` runs
+    the lines as they are compiled for items that are packed, or for others.
     """
 
-    prototype: str
+    name: str
+    choice: tuple[str, ...]
     vector: tuple[str, ...]
     scalar: tuple[str, ...]
     parts: tuple[tuple[str, ...], ...] = ()
@@ -55,26 +60,35 @@ def block(kernel: TargetKernel, precision: Precision) -> BlockFunction:
             f"{kernel.name} has {len(parameters)} operands with {entries} entries; a batch takes at most "
             f"{MOST_OPERANDS} with {MOST_ENTRIES}: split the kernel"
         )
-    given = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps", "const chasles_stream *stream")
-    prototype = "\n".join(listed(f"void CHASLES_LEVELED({block_name(kernel, precision)})(", given, ")"))
+    name = block_name(kernel, precision)
     scalar = _one_by_one(kernel, precision)
     parts = parts_of(kernel.program)
     if not parts.parts:
-        return BlockFunction(prototype, tuple(_on_registers(kernel.program, precision)), scalar)
-    names = [f"{block_name(kernel, precision)}_part_{number}" for number, _ in enumerate(parts.parts, start=1)]
+        looks = cost(kernel.program) <= _MOST_COST * entries
+        choice = _choice(name, packed(parameters, precision) if looks else ())
+        return BlockFunction(name, choice, tuple(_on_registers(kernel.program, precision)), scalar)
+    names = [f"{name}_part_{number}" for number, _ in enumerate(parts.parts, start=1)]
     functions = [
-        (f"{name}({register(precision)} *{KEPT})", "{", *_indented(_part(part, precision)), "}")
-        for name, part in zip(names, parts.parts, strict=True)
+        (f"{each}({register(precision)} *{KEPT})", "{", *_indented(_part(part, precision)), "}")
+        for each, part in zip(names, parts.parts, strict=True)
     ]
     lines = [
         "(void)stream;",
         f"{register(precision)} {KEPT}[{parts.room}];",
         *operands(parameters, range(len(parameters)), precision),
         "for (ptrdiff_t g = 0; g < groups; g++) {",
-        *_indented(_copied(kernel.program, parts, precision, [f"{name}({KEPT});" for name in names])),
+        *_indented(_copied(kernel.program, parts, precision, [f"{each}({KEPT});" for each in names])),
         "}",
     ]
-    return BlockFunction(prototype, tuple(lines), scalar, tuple(functions))
+    return BlockFunction(name, _choice(name, ()), tuple(lines), scalar, tuple(functions))
+
+
+def _choice(name: str, questions: Iterable[str]) -> tuple[str, ...]:
+    """The call of the lines; where there are questions and the answers are yes, of those compiled for packed items."""
+    call = f"{name}_items(groups, at, steps, stream, "
+    look = [f"    && {question}" for question in questions]
+    known = ("if (CHASLES_LOOKS", *look[:-1], f"{look[-1]}) {{", f"    {call}1);", "    return;", "}") if look else ()
+    return (*known, f"{call}CHASLES_PACKED);")
 
 
 def _on_registers(program: Program, precision: Precision) -> Iterator[str]:

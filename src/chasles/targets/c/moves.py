@@ -32,6 +32,14 @@ def operands(parameters: Sequence[Argument | Result], places: Collection[int], p
             yield f"const int dense{place} = CHASLES_DENSE(find_entries({where}, entries{place}));"
 
 
+def packed(parameters: Sequence[Argument | Result], precision: Precision) -> Iterator[str]:
+    """The question of each operand whether its items are row-major without gaps, one after the other."""
+    for place, item in enumerate(parameters):
+        columns = item.shape[-1] if item.shape else 1
+        core = f"steps + {len(parameters) + 2 * place}"
+        yield f"is_packed({math.prod(item.shape)}, {columns}, sizeof({precision.name}), steps[{place}], {core})"
+
+
 def loads(place: int, shape: tuple[int, ...], name: str, wanted: Sequence[int], precision: Precision) -> Iterator[str]:
     """The entries that are wanted of an operand's items, as registers of that name."""
     suffix, size = precision.suffix, math.prod(shape)

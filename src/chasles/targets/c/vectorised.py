@@ -16,7 +16,7 @@ from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, fl
 _USED = """
     LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
     doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps stream copied angles sines cosines g i
-    stream_lines prefetch prefetch_to_write
+    stream_lines prefetch prefetch_to_write packed is_packed
 """
 _CALLED = """
     spread roots alike less equal choose row put_row sine_of cosine_of directions
