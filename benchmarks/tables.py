@@ -44,6 +44,7 @@ INTRODUCTION = """# Benchmarks
 - `deciding.py`: how long the whole book takes to decide.
 - `threads.py`: how much sooner several threads are done; `evidence/threads.json` has its last figures.
 - `cost.py`: what an operation takes here, and what the cost model says; its figures are in `evidence/cost.json`.
+- `plain.py`: every kernel beside a plain loop over its own function in C; run by itself.
 - `errors.py`: the largest errors found beside what is proved (`ERRORS.md`), and over the angle; run by itself.
 - `identities/`: identities of SymPy's test suite and of textbooks, asked of `prove`; run by itself.
 - `reading/`: excerpts of pages by others, read with a notation by hand and with the one that is proposed, decided, and

@@ -245,34 +245,56 @@ static void scatter(
     }
 }
 
-/* Whether one of the numbers of operand k in an item is NaN. */
-static int holds_nan(const chasles_loop *loop, const Part *part, int k, ptrdiff_t item)
+/* Whether one of so many numbers is NaN: the bits of its magnitude are beyond those of infinity. */
+static int has_nan(const chasles_loop *loop, const char *at, ptrdiff_t count)
 {
-    const ptrdiff_t *const core = part->steps + loop->operands + 2 * k, columns = loop->shapes[k].columns;
-    for (ptrdiff_t e = 0; e < columns * loop->shapes[k].rows; e++) {
-        const char *const at = part->at[k] + item * part->steps[k] + e / columns * core[0] + e % columns * core[1];
-        double x;
-        if (loop->number == (ptrdiff_t)sizeof(double)) {
-            memcpy(&x, at, sizeof(double));
-        } else {
-            float narrow;
-            memcpy(&narrow, at, sizeof(float));
-            x = (double)narrow;
+    const uint64_t infinity = 0x7ff0000000000000u;
+    const uint32_t infinityf = 0x7f800000u;
+    uint64_t beyond = 0, bits;
+    uint32_t beyondf = 0, bitsf;
+    if (loop->number == (ptrdiff_t)sizeof bits) {
+        for (ptrdiff_t n = 0; n < count; n++) {
+            memcpy(&bits, at + n * (ptrdiff_t)sizeof bits, sizeof bits);
+            beyond |= infinity - (bits & INT64_MAX);
         }
-        if (x != x) {
+    } else {
+        for (ptrdiff_t n = 0; n < count; n++) {
+            memcpy(&bitsf, at + n * (ptrdiff_t)sizeof bitsf, sizeof bitsf);
+            beyondf |= infinityf - (bitsf & INT32_MAX);
+        }
+    }
+    return (beyond >> 63 | beyondf >> 31) != 0;
+}
+
+/* Whether one of the numbers of operand k in some items is NaN. */
+static int holds_nan(const chasles_loop *loop, const Part *part, int k, ptrdiff_t item, ptrdiff_t items)
+{
+    const ptrdiff_t *const core = part->steps + loop->operands + 2 * k, step = part->steps[k];
+    const ptrdiff_t columns = loop->shapes[k].columns, entries = columns * loop->shapes[k].rows;
+    const char *const at = part->at[k] + item * step;
+    if (step == size_of(loop, k) && core[0] == columns * loop->number && core[1] == loop->number) {
+        return has_nan(loop, at, items * entries);
+    }
+    for (ptrdiff_t e = 0; e < items * entries; e++) {
+        const ptrdiff_t down = e / columns % loop->shapes[k].rows, across = e % columns;
+        if (has_nan(loop, at + e / entries * step + down * core[0] + across * core[1], 1)) {
             return 1;
         }
     }
     return 0;
 }
 
-/* Whether an item has a NaN among its results and none among its inputs. */
+/* Whether an item has a NaN among its results and none among its inputs. Mostly no result of all items is NaN. */
 static int is_singular(const chasles_loop *loop, const Part *part, ptrdiff_t items)
 {
-    for (ptrdiff_t i = 0; i < items; i++) {
+    int any = 0;
+    for (int k = loop->inputs; k < loop->operands; k++) {
+        any |= holds_nan(loop, part, k, 0, items);
+    }
+    for (ptrdiff_t i = 0; i < items && any; i++) {
         int came = 0, went = 0;
         for (int k = 0; k < loop->operands; k++) {
-            const int found = holds_nan(loop, part, k, i);
+            const int found = holds_nan(loop, part, k, i, 1);
             came |= k < loop->inputs && found;
             went |= k >= loop->inputs && found;
         }

@@ -15,13 +15,18 @@
 #include <math.h>
 #include <stddef.h>
 
-/* What shuffles do not say well. gcc's header of these takes longer to read than most blocks take to compile. */
-#if CHASLES_LEVEL == 2 && !defined(__clang__)
+/* What shuffles do not say well: gcc takes what a shuffle joins to registers first, which costs a move on the one port for
+ * it. gcc's header of these takes longer to read than most blocks take to compile. */
+#if CHASLES_LEVEL >= 1 && !defined(__clang__)
 typedef double of_2 __attribute__((vector_size(16)));
 typedef double of_4 __attribute__((vector_size(32)));
+#define JOINED_2(a, b) __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd((of_2)(a)), (of_2)(b), 1)
+#elif CHASLES_LEVEL >= 1
+#define JOINED_2(a, b) SHUFFLE(a, b, 0, 1, 2, 3)
+#endif
+#if CHASLES_LEVEL == 2 && !defined(__clang__)
 typedef double of_8 __attribute__((vector_size(64)));
 typedef float of_16 __attribute__((vector_size(64)));
-#define JOINED_2(a, b) __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd((of_2)(a)), (of_2)(b), 1)
 #define JOINED_4(a, b) \
     __builtin_ia32_insertf64x4_mask(__builtin_ia32_pd512_256pd((of_4)(a)), (of_4)(b), 1, (of_8){0}, 0xff)
 #define PART_OF_2(x, k) __builtin_ia32_extractf64x2_512_mask((of_8)(x), k, (of_2){0}, 0xff)
@@ -30,7 +35,6 @@ typedef float of_16 __attribute__((vector_size(64)));
 #define ROOTSF(x) __builtin_ia32_sqrtps512_mask((of_16)(x), (of_16){0}, -1, 4)
 #elif CHASLES_LEVEL == 2
 #include <immintrin.h>
-#define JOINED_2(a, b) _mm256_insertf128_pd(_mm256_castpd128_pd256((__m128d)(a)), (__m128d)(b), 1)
 #define JOINED_4(a, b) _mm512_insertf64x4(_mm512_castpd256_pd512((__m256d)(a)), (__m256d)(b), 1)
 #define PART_OF_2(x, k) _mm512_extractf64x2_pd((__m512d)(x), k)
 #define PART_OF_4(x, k) _mm512_extractf64x4_pd((__m512d)(x), k)
@@ -217,7 +221,7 @@ CHASLES_INLINE doubles row(const char *at, ptrdiff_t step, int first, int apart)
     (void)apart;
     return (doubles)PART(0);
 #elif CHASLES_REGISTER == 32
-    return SHUFFLE(PART(0), PART(1), 0, 1, 2, 3);
+    return (doubles)JOINED_2(PART(0), PART(1));
 #else
     return (doubles)JOINED_4(JOINED_2(PART(0), PART(1)), JOINED_2(PART(2), PART(3)));
 #endif
@@ -304,12 +308,10 @@ CHASLES_INLINE void load_1(const char *at, ptrdiff_t step, doubles *to)
         to[0] = spread(*(const double *)at);
         return;
     }
-#if CHASLES_REGISTER == 64
     if (step == sizeof(double)) {
         to[0] = PACKED_IN(at, 0);
         return;
     }
-#endif
 #define AT(i) *(const double *)(at + (i) * step)
     const doubles all = LIST(AT);
 #undef AT
@@ -318,12 +320,10 @@ CHASLES_INLINE void load_1(const char *at, ptrdiff_t step, doubles *to)
 
 CHASLES_INLINE void store_1(char *at, ptrdiff_t step, doubles x)
 {
-#if CHASLES_REGISTER == 64
     if (step == sizeof(double)) {
         PACKED(at, 0) = x;
         return;
     }
-#endif
     for (int i = 0; i < LANES; i++) {
         *(double *)(at + i * step) = x[i];
     }
@@ -335,12 +335,10 @@ CHASLES_INLINE void load_1f(const char *at, ptrdiff_t step, floats *to)
         to[0] = spreadf(*(const float *)at);
         return;
     }
-#if CHASLES_REGISTER == 64
     if (step == sizeof(float)) {
         to[0] = PACKEDF_IN(at, 0);
         return;
     }
-#endif
 #define AT(i) *(const float *)(at + (i) * step)
     const floats all = LISTF(AT);
 #undef AT
@@ -349,12 +347,10 @@ CHASLES_INLINE void load_1f(const char *at, ptrdiff_t step, floats *to)
 
 CHASLES_INLINE void store_1f(char *at, ptrdiff_t step, floats x)
 {
-#if CHASLES_REGISTER == 64
     if (step == sizeof(float)) {
         PACKEDF(at, 0) = x;
         return;
     }
-#endif
     for (int i = 0; i < LANESF; i++) {
         *(float *)(at + i * step) = x[i];
     }
@@ -387,6 +383,16 @@ CHASLES_INLINE void load_3(const char *at, ptrdiff_t step, doubles *to)
         to[0] = SHUFFLE(SHUFFLE(a, b, 0, 3, 6, 9, 12, 15, 0, 0), c, 0, 1, 2, 3, 4, 5, 10, 13);
         to[1] = SHUFFLE(SHUFFLE(a, b, 1, 4, 7, 10, 13, 0, 0, 0), c, 0, 1, 2, 3, 4, 8, 11, 14);
         to[2] = SHUFFLE(SHUFFLE(a, b, 2, 5, 8, 11, 14, 0, 0, 0), c, 0, 1, 2, 3, 4, 9, 12, 15);
+        return;
+    }
+#elif CHASLES_REGISTER == 32
+    if (step == 3 * sizeof(double)) {
+#define HALVES(k) (doubles)JOINED_2(*(const double_2 *)(at + 16 * (k)), *(const double_2 *)(at + 16 * (k) + 48))
+        const doubles a = HALVES(0), b = HALVES(1), c = HALVES(2);
+#undef HALVES
+        to[0] = SHUFFLE(a, b, 0, 5, 2, 7);
+        to[1] = SHUFFLE(a, c, 1, 4, 3, 6);
+        to[2] = SHUFFLE(b, c, 0, 5, 2, 7);
         return;
     }
 #endif
@@ -485,6 +491,14 @@ CHASLES_INLINE void store_3(char *at, ptrdiff_t step, doubles x, doubles y, doub
         PACKED(at, 0) = SHUFFLE(SHUFFLE(x, y, 0, 8, 0, 1, 9, 0, 2, 10), z, 0, 1, 8, 3, 4, 9, 6, 7);
         PACKED(at, 1) = SHUFFLE(SHUFFLE(x, y, 0, 3, 11, 0, 4, 12, 0, 5), z, 10, 1, 2, 11, 4, 5, 12, 7);
         PACKED(at, 2) = SHUFFLE(SHUFFLE(x, y, 13, 0, 6, 14, 0, 7, 15, 0), z, 0, 13, 2, 3, 14, 5, 6, 15);
+        return;
+    }
+#elif CHASLES_REGISTER == 32
+    if (step == 3 * sizeof(double)) {
+        const doubles a = SHUFFLE(x, y, 0, 4, 2, 6), b = SHUFFLE(z, x, 0, 5, 2, 7), c = SHUFFLE(y, z, 1, 5, 3, 7);
+        *(double_4 *)at = (double_4)SHUFFLE(a, b, 0, 1, 4, 5);
+        *(double_4 *)(at + 32) = (double_4)SHUFFLE(c, a, 0, 1, 6, 7);
+        *(double_4 *)(at + 64) = (double_4)SHUFFLE(b, c, 2, 3, 6, 7);
         return;
     }
 #endif
