@@ -212,6 +212,20 @@ def test_what_two_sides_have_in_common_has_to_be_defined(part: Any) -> None:
 
 
 @pytest.mark.parametrize(
+    "claim", [sp.Ne(sqrt(X) * sqrt(s), -1), sp.Not(Eq(sqrt(X) * sqrt(s) + 3, 2)), Ne(sqrt(X) + s, s - 1)]
+)
+def test_what_is_compared_in_a_condition_has_to_be_real(claim: Any) -> None:
+    """Roots of negative numbers are imaginary, so that a product of two is -1 where what is asked is not meant."""
+    verdict = prove(claim)
+    assert "X >= 0" in verdict.needs
+    recheck(verdict, claim)
+    different = Ne(sqrt(log(u)) * sqrt(atan(X)), sqrt(log(u) * atan(X)))
+    at = prove(different).counterexample.at
+    assert at["X"] >= 0
+    assert at["u"] >= 1
+
+
+@pytest.mark.parametrize(
     "given", [[x > 1, x < 0], [x > y, y > x], [x > y, y >= x], [p < 0], [x > 1, Eq(x, 1)]], ids=str
 )
 def test_what_nothing_satisfies_is_contradictory(given: list[Any]) -> None:

@@ -59,6 +59,8 @@ TRUE: list[tuple[Any, Any, set[str]]] = [
     (Integral(log(x), (x, 1, 2)), 2 * log(2) - 1, set()),
     (Integral(1 / (R + m * x), (x, 0, 1)), log(1 + m / R) / m, set()),
     (Integral(1 / (1 + x**2), (x, -oo, oo)), pi, set()),
+    (Integral(atan(x) / (1 + x**2), (x, 0, 1)), pi**2 / 32, set()),
+    (Integral(log(x + R) / (x + R), (x, 0, 1)), (log(1 + R) ** 2 - log(R) ** 2) / 2, set()),
     (Integral(sqrt(R**2 - x**2), (x, -R, R)), pi * R**2 / 2, set()),
     (Integral(x**2 * exp(-R * x), (x, 0, oo)), 2 / R**3, set()),
     (Integral(exp(-R * x) * cos(w * x), (x, 0, oo)), R / (R**2 + w**2), set()),
@@ -95,6 +97,7 @@ def test_values_are_proved_and_slips_refuted(left: Any, right: Any, needs: set[s
         Integral(1 / x, (x, 0, 0)), Integral((x + 3) ** 2 * exp(c * x) * atan(x), (x, 0, 1)),
         Integral((x + R) ** 5 * atan(R * x) ** 3 / (x**3 + R) ** 3, (x, 0, 1)), Integral(sin(x) ** 9 / x, (x, 1, 2)),
         Integral(sqrt(1 - x**2) * (x**2 + R**2) ** Rational(3, 2), (x, 0, 1)),
+        Integral(log(x**2 + 1) / (1 - x**2), (x, n, -pi)), Integral(sqrt(R + 3 * x) / ((x - a) ** 2 + 1), (x, 0, 1)),
     ],
 )  # fmt: skip
 def test_others_are_refused_by_name(e: Any) -> None:

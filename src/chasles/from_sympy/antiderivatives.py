@@ -6,6 +6,7 @@ that decays vanishes, and so does a negative power; inverse tangents and error f
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -29,6 +30,7 @@ SMOOTH = (
     sympy.Add, sympy.Mul, sympy.exp, sympy.sin, sympy.cos, sympy.sinh, sympy.cosh, sympy.tanh, sympy.atan, sympy.asinh,
     sympy.erf,
 )  # fmt: skip
+INVERSE = (sympy.log, sympy.asin, sympy.acos, sympy.atan, sympy.asinh, sympy.acosh, sympy.atanh)
 LIMITS = {sympy.atan: sympy.pi / 2, sympy.erf: sympy.S.One, sympy.tanh: sympy.S.One}
 
 
@@ -39,7 +41,11 @@ def by_rules(term: Any, x: Any, ends: tuple[Any, Any]) -> Any:
     plain, alone = term.is_rational_function(x), term.free_symbols == {x}
     found = None
     with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError, sympy.PolynomialError):
-        found = ratint(term, x, real=True) if plain and alone else manualintegrate(term, x)
+        found = (
+            ratint(term, x, real=True)
+            if plain and alone
+            else manualintegrate(sympy.expand(term) if term.has(*INVERSE) else term, x)
+        )
     if found is None or found.has(sympy.Integral, sympy.RootSum, sympy.I):
         return None
     # Where a divisor vanishes, the other pieces hold: it is among what is divided by.
@@ -55,7 +61,8 @@ def _is_simple(term: Any, x: Any) -> bool:
     """Whether an integrand is short, and rational in two generators at the most, in low powers.
 
     With more of them, SymPy's rules try integrations by parts and substitutions in all orders; with parameters or
-    functions it comes to no end soon with divisors whose degree is more than two.
+    functions it comes to no end soon with divisors whose degree is more than two, nor with those of inverse functions
+    that their derivatives do not divide by.
     """
     if term.count_ops() > LARGEST or term.has(sympy.I):
         return False
@@ -66,8 +73,23 @@ def _is_simple(term: Any, x: Any) -> bool:
     above, below = sympy.fraction(sympy.together(term))
     if generators == {x} and term.free_symbols == {x}:
         return _degree(above * below, x) <= LARGEST_DEGREE
-    rest = sympy.Mul(*(factor for factor in sympy.Mul.make_args(below) if factor.as_base_exp()[0] != x))
+    divisors = {factor.as_base_exp()[0]: factor for factor in sympy.Mul.make_args(below)}
+    rest = sympy.Mul(*(factor for base, factor in divisors.items() if base != x))
+    inverse = [each for each in generators if isinstance(each, INVERSE)]
+    own = {base for each in inverse for base in _divisors_of_rate(each, x)}
+    if inverse and any(base.has(x) and base not in own for base in divisors):
+        return False
+    known = {root.base for root in roots} if roots and term.free_symbols != {x} else set(divisors)
+    if any(base.is_polynomial(x) and _degree(base, x) > 1 for base in divisors if base not in known):
+        return False
     return _degree(above * below, x) <= LARGEST_POWER and _degree(rest, x) <= LARGEST_BELOW
+
+
+def _divisors_of_rate(e: Any, x: Any) -> Iterator[Any]:
+    """What the derivative of a function divides by, with both signs, and the variable."""
+    below = sympy.fraction(sympy.together(e.diff(x)))[1]
+    for base in (x, *(factor.as_base_exp()[0] for factor in sympy.Mul.make_args(below))):
+        yield from (base, sympy.expand(-base))
 
 
 def _degree(product: Any, x: Any) -> int:

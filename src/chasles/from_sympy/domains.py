@@ -39,11 +39,16 @@ def also_defined(side: Any, lost: Iterable[Any]) -> Any:
 
 
 def lost_in(said: Iterable[Any]) -> Iterator[Any]:
-    """What has to be defined in relations and derivatives; of an equation that stands by itself both sides are read."""
+    """What has to be defined in relations and derivatives; of relations that stand by themselves sides are read."""
     for e in said:
-        stands = {e} if isinstance(e, sympy.Equality) else set()
-        for part in sorted(e.atoms(Relational, sympy.Derivative) - stands, key=str):
-            yield from cancelled(part) if isinstance(part, Relational) else _differentiated(part)
+        stands = {e, *(e.args if isinstance(e, sympy.And) else ())}
+        for part in sorted(e.atoms(Relational, sympy.Derivative), key=str):
+            if isinstance(part, sympy.Derivative):
+                yield from _differentiated(part)
+            elif part not in stands:
+                yield from (each for side in part.args for each in _partial(side))
+            elif not isinstance(part, sympy.Equality):
+                yield from cancelled(part)
 
 
 def cancelled(relation: Any) -> list[Any]:
