@@ -17,6 +17,7 @@ from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product, well_formed
 from chasles.checker.witness import Point, point_of, require, root_of, value_at
 from chasles.statements import Goal, Problem
+from chasles.statements.conditions import UNFINISHED
 
 if TYPE_CHECKING:
     from chasles.verdict import Counterexample
@@ -37,7 +38,10 @@ def check_counterexample(problem: Problem, shown: Counterexample) -> None:
     if sizes_in(problem):
         check_at_sizes(problem, shown)
         return
-    polynomial = all(h.kind != "inequality" for h in problem.hypotheses)
+    kinds = {h.kind for h in problem.hypotheses}
+    if UNFINISHED in kinds:
+        raise Rejected("what is given of fields says more than is known of the point")
+    polynomial = "inequality" not in kinds
     try:
         with well_formed("counterexample"):
             if not (reason := _objections(problem, shown)):

@@ -17,6 +17,7 @@ from chasles.problems.context import Context
 from chasles.problems.generators import entries
 from chasles.prover.conditions import Solved
 from chasles.prover.consistency import point_of_the_rest
+from chasles.statements.conditions import UNFINISHED
 from chasles.verdict import Counterexample
 from chasles.vocabulary import PI, Symbol, symbols_of
 
@@ -34,6 +35,8 @@ def refute(
     Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then
     such as give a value to all that occurs, and to what is assumed besides. Only what the checker accepts refutes.
     """
+    if any(h.kind == UNFINISHED for h in context.problem.hypotheses):
+        return None
     used = _used_by_each(context, solved, suspects)
     gone = {s.variable for s in solved} | _unmeasured(context)
     whole = [sorted(v.name for v in context.variables if v.name not in gone)] * len(suspects)

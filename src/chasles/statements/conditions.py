@@ -19,6 +19,8 @@ from chasles.vocabulary.sizes import sizes_of
 
 ASSUMED = ("condition", "field equation")
 """The kinds of hypotheses that conditions are: of what is where it is, and of fields, wherever they are taken."""
+UNFINISHED = "not differentiated to the end"
+"""The kind of a hypothesis where a point need not satisfy all that follows from what is given of fields."""
 
 
 def solvable(conditions: Sequence[Goal], unknowns: Iterable[w.Symbol], rules: Mapping[Node, Node]) -> bool:

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace as with_fields
 
 from chasles import vocabulary as w
-from chasles.statements.conditions import ASSUMED, assumed, degree
+from chasles.statements.conditions import ASSUMED, UNFINISHED, assumed, degree
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.problem import Goal, Problem
+from chasles.statements.rules import fit_together
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node, Rate
@@ -18,9 +19,9 @@ from chasles.vocabulary.partial import PartialDerivative, differentiates, with_d
 from chasles.vocabulary.shorthand import Shorthand
 
 MOST_RATES = 3
-"""Rates of fields are said up to this order."""
-LINKS = 3
-"""Linear equations are differentiated also where others link them to what is spoken of, over so many of these."""
+"""Rates of fields are said up to this order, and so are derivatives of what is given by several quantities."""
+LINKS = 9
+"""What is given is differentiated also where other equations link it to what is spoken of, over so many of these."""
 
 
 def moving(sides: Sequence[Node], rules: Sequence[Equation]) -> Iterator[Equation]:
@@ -60,7 +61,25 @@ def carried_out(problem: Problem) -> Problem:
         return with_derivatives(side, rules)
 
     told = problem.said_otherwise(found, lambda said: said.rewritten(found))
-    return with_fields(told, hypotheses=(*told.hypotheses, *_everywhere(told)))
+    return _substituted(with_fields(told, hypotheses=(*told.hypotheses, *_everywhere(told))))
+
+
+def _substituted(problem: Problem) -> Problem:
+    """The same problem with a rule for each derivative of a field that a field equation says alone on a side."""
+    rules, hypotheses = [*problem.rules], list[Hypothesis]()
+    for each in problem.hypotheses:
+        rest = [*each.equations]
+        for left, right in each.equations if each.kind == ASSUMED[1] else ():
+            said = [*rules, (left, right)]
+            if isinstance(left, Field) and left.taken and left not in dict(rules) and fit_together(said):
+                rules = said
+                rest.remove((left, right))
+        subjects = tuple(w.Sum((left, w.Negative(right))) for left, right in rest)
+        if each.kind != ASSUMED[1]:
+            hypotheses.append(each)
+        elif rest:
+            hypotheses.append(with_fields(each, subjects=subjects, equations=tuple(rest)))
+    return with_fields(problem, rules=tuple(rules), hypotheses=tuple(hypotheses))
 
 
 def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
@@ -73,16 +92,19 @@ def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
     told = [hypothesis for hypothesis in problem.hypotheses if _is_of_fields(hypothesis, rules)]
     known = {each: _orders(each.sides, defined) for each in told}
     times = dict.fromkeys(told, 0)
+    most = MOST_RATES if len(places) > 1 else LINKS
     for link in range(LINKS):
-        for each in told if not link else filter(_is_linear, told):
-            times[each] = max(0, *(wanted.get(root, 0) - order for root, order in known[each].items()))
+        asked = {each: max(0, *(wanted.get(root, 0) - order for root, order in known[each].items())) for each in told}
+        times |= {each: min(asked[each], most) for each in told if not link or _links(each)}
         reached = [(root, order + times[each]) for each in told if times[each] for root, order in known[each].items()]
         wanted |= {root: max(wanted.get(root, 0), order) for root, order in reached}
+    if asked != times:
+        yield Hypothesis(UNFINISHED, tuple(said), free=True)
     for each in told:
         # That a matrix is its own cofactor matrix says no more of its derivatives than that it is orthogonal.
         pairs = [pair for pair in each.equations if not any(isinstance(side, w.Cofactor) for side in pair)]
         found: list[Equation] = []
-        for _ in range(min(times[each], MOST_RATES)):
+        for _ in range(times[each]):
             slopes = [[PartialDerivative(side, place) for side in pair] for pair in pairs for place in places]
             pairs = [*dict.fromkeys((with_derivatives(a, rules), with_derivatives(b, rules)) for a, b in slopes)]
             found += pairs
@@ -91,9 +113,11 @@ def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
             yield Hypothesis(kind, sum(found, ()), tuple(found), (), each.latex, f"{each.text} everywhere", free=True)
 
 
-def _is_linear(hypothesis: Hypothesis) -> bool:
-    parts = hypothesis.sides
-    return all(degree(side, {*fields_of(parts)}, {}) < 2 for side in parts)
+def _links(hypothesis: Hypothesis) -> bool:
+    """Whether it is said how far its derivatives go: it has none, is linear, or says what a derivative is."""
+    fields, left = {*fields_of(hypothesis.sides)}, hypothesis.sides[0]
+    explicit = hypothesis.kind not in ASSUMED or (isinstance(left, Field) and left.taken)
+    return bool(explicit) or all(degree(side, fields, {}) < 2 for side in hypothesis.sides)
 
 
 def _is_of_fields(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:

@@ -21,11 +21,11 @@ from chasles.checker.expressions.widened import plain_expression, put
 from chasles.checker.expressions.words import EntriesOfWords
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
-from chasles.statements.conditions import ASSUMED
+from chasles.statements.conditions import ASSUMED, UNFINISHED
 from chasles.verdict import Counterexample, HoldsUnder
 from chasles.vocabulary.functions import FunctionOf
 
-BY_MORE = frozenset(("definite",))
+BY_MORE = frozenset(("definite", UNFINISHED))
 """Hypotheses that say more than their equations and what they keep from vanishing."""
 
 
