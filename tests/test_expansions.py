@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import mpmath
 import pytest
@@ -30,6 +31,7 @@ from chasles.vocabulary import (
     latex,
     matrix,
     norm,
+    number,
     plain,
     scalar,
     sin,
@@ -39,7 +41,7 @@ from chasles.vocabulary import (
     vector,
 )
 from chasles.vocabulary.expansions import limit, up_to
-from chasles.vocabulary.functions import arcsin, arctan, exp, log, sqrt
+from chasles.vocabulary.functions import arcsin, arcsinh, arctan, arctanh, cosh, exp, log, sinh, sqrt, tanh
 from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.rotation_vectors import exp_of_vector
 from chasles.vocabulary.sizes import Size
@@ -211,3 +213,27 @@ def test_coefficients_are_those_of_the_taylor_series(seed: int) -> None:
         true = evaluate(node, {**values, t: near}, digits=60)[0][0]
         assert abs(true - total) < near**order * 10**6
         assert abs(true) < 10**6
+
+
+@pytest.mark.parametrize("function", [sinh, tanh, arcsinh, arctanh, arcsin, arctan], ids=lambda f: f.__name__)
+def test_functions_with_a_slope_are_expanded(function: Any) -> None:
+    assert Session().decide(claim(function(2 * t), up_to(2 * t, t, 3))).verdict.true
+    wrong = Session().decide(claim(function(2 * t) / t, up_to(3, t, 1))).verdict
+    assert wrong.name == "fails"
+
+
+def test_expansions_around_other_points_than_zero() -> None:
+    around = claim(log(y + t), up_to(log(y) + t / y - t**2 / (2 * y**2), t, 3), positive(y))
+    assert Session().decide(around).verdict.true
+    assert Session().decide(claim(tanh(y + t), up_to(tanh(y) + (1 - tanh(y) ** 2) * t, t, 2))).verdict.true
+
+
+def test_a_leading_term_that_is_zero_unseen_proves_and_refutes_nothing() -> None:
+    hidden = claim(limit(t / (sqrt(y**2 + t) - y), t), 2 * y, positive(y))
+    assert Session().decide(hidden).verdict.name == "undecided"
+    seen = claim(limit((exp(t) - 1 - t) / (cosh(t) - 1), t), number(1))
+    assert Session().decide(seen).verdict.true
+
+
+def test_what_is_beyond_expansion_is_no_misprint() -> None:
+    assert Session().decide(claim(limit(log(t), t), number(0))).verdict.name == "undecided"

@@ -194,6 +194,12 @@ class Session:
                 return self._posed(sentence, problem)
             case _:
                 verdict = self.verdict_on(problem, sentence.assuming)
+                if (
+                    isinstance(verdict, Contradictory)
+                    and isinstance(sentence, Statement)
+                    and sentence.left.expands | sentence.right.expands
+                ):
+                    return Undecided("a series begins with a term that is zero, which is not seen")
                 return verdict if verdict.true else self._in_full(sentence, verdict)
 
     def _in_full(self, sentence: Statement | Theorem, verdict: Verdict) -> Verdict:

@@ -11,24 +11,39 @@ from fractions import Fraction
 from functools import reduce
 
 from chasles import vocabulary as w
+from chasles.statements.bounds import RealInterval, bounds_of
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.matrix_series import behind, composed, determinant_of, inverse_of, length_of
-from chasles.statements.series import PowerSeries, TooShort, inverse, is_zero, minus, product, scaled, taylor, total
+from chasles.statements.series import (
+    TURNS,
+    PowerSeries,
+    TooShort,
+    by_slope,
+    inverse,
+    is_zero,
+    minus,
+    product,
+    scaled,
+    taylor,
+    total,
+)  # fmt: skip
 from chasles.vocabulary import Node
 from chasles.vocabulary.expansions import Limit, UpTo
-from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.functions import DERIVATIVES, FunctionOf
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.tree import rebuilt
 
 MOST_TERMS = 40
 """Terms of a series that are looked at to find one that is not zero."""
+AT_ZERO = {*((name, None) for name in ("arctan", "arcsin", "arcsinh", "tanh", "arctanh")), ("log", w.number(1))}
+"""Functions with the value zero, and where they have it."""
 Pair = tuple[str, Node, Node]
 
 
 def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iterator[Pair]:
     """What the claim says of the coefficients, one by one: a label and the two that are equal.
 
-    The `rules` say what symbols stand for. Raises `Misfit` for an expression that is not expanded.
+    The `rules` say what symbols stand for. Raises TypeError for an expression that is not expanded.
     """
     small, exponent = _order_of(left, right)
     if small in rules:
@@ -43,12 +58,16 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
             one, other = map(expansion, sides)
             if min(one.known, other.known) >= exponent:
                 break
-            reason = w.Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
+            reason = TypeError(f"no expansion of {left} to the order {exponent} in {small} is found")
         except TooShort as error:
             reason = error
         if length > MOST_TERMS:
             raise reason
         length *= 2
+    for divisor in expansion.divisors:
+        if divisor is not None and not isinstance(divisor, w.Number):
+            size = divisor if divisor.is_scalar else w.Norm(divisor)
+            yield f"{w.plain(size)} is not zero, terms of order 0", w.number(0) / size, w.number(0)
     yield from _compared(left, one, other, exponent, "")
     if expansion.has_absolute_values:
         one, other = map(_Expansion(small, length, rules, below=True), sides)
@@ -97,6 +116,7 @@ class _Expansion:
         self.rules = rules
         self.below = below
         self.has_absolute_values = False
+        self.divisors: dict[Node | None, None] = {}
 
     def __call__(self, node: Node) -> PowerSeries:
         if not any(self._may_vary(part) for part in w.walk(node)):
@@ -117,7 +137,9 @@ class _Expansion:
             case w.Scale(factor, term):
                 return product(self(factor), self(term), scaled, self.length)
             case w.Quotient(numerator, denominator):
-                return product(inverse(self(denominator), denominator), self(numerator), scaled, self.length)
+                below = self(denominator)
+                self.divisors[below.coefficient(below.lead or 0)] = None
+                return product(inverse(below, denominator), self(numerator), scaled, self.length)
             case w.Contract(factors):
                 return reduce(lambda a, b: product(a, b, lambda x, y: x @ y, self.length), map(self, factors))
             case w.Power(base, exponent):
@@ -145,7 +167,7 @@ class _Expansion:
             case w.Call(function, argument) | FunctionOf(function, (argument,)):
                 return self._function(function, argument, node)
             case _:
-                raise w.Misfit(f"{w.plain(node)} is not expanded where {w.plain(self.small)} is small")
+                raise TypeError(f"{w.plain(node)} is not expanded where {w.plain(self.small)} is small")
 
     def _may_vary(self, part: Node) -> bool:
         stands_for_more = isinstance(part, w.Symbol) and part.stands_for is not None
@@ -156,7 +178,9 @@ class _Expansion:
         return self._series(1, [w.Number(Fraction(1)) if self.small.is_scalar else self.small])
 
     def _constant(self, node: Node) -> PowerSeries:
-        return self._series(0, [None if is_zero(node) else node])
+        bounds = bounds_of(node, {}) if node.is_scalar else RealInterval()
+        value = w.Number(Fraction(bounds.low)) if bounds.low == bounds.high else node
+        return self._series(0, [None if is_zero(value) else value])
 
     def _series(self, begin: int, terms: list[Node | None]) -> PowerSeries:
         return PowerSeries(begin, tuple(terms), self.length)
@@ -182,6 +206,7 @@ class _Expansion:
             raise TooShort(f"{w.plain(of)} has no term up to the order {inner.known}")
         is_odd = self.small.is_scalar and lead % 2 == 1
         self.has_absolute_values |= is_odd
+        self.divisors[inner.coefficient(lead)] = None
         found = length_of(inner, lead, self.length)
         return found.each(minus) if is_odd and self.below else found
 
@@ -189,13 +214,22 @@ class _Expansion:
         inner = self(of)
         at_zero = inner.coefficient(0)
         if at_zero is None or (inner.lead or 0) < 0:
-            raise w.Misfit(f"{w.plain(of)} has no inverse where {w.plain(self.small)} is zero, and is not expanded")
+            raise TypeError(f"{w.plain(of)} has no inverse where {w.plain(self.small)} is zero, and is not expanded")
+        self.divisors[w.Determinant(at_zero)] = None
         return function(inner, at_zero, self.length)
 
     def _function(self, name: str, argument: Node, node: Node) -> PowerSeries:
         """A function by its Taylor series around the value of its argument where what is small is zero."""
         inner = self(argument)
         if inner.begin < 0 and (inner.lead or 0) < 0:
-            raise w.Misfit(f"{w.plain(node)} is not expanded: its argument grows without bound")
-        slopes = taylor(name, inner.coefficient(0), self.length, node)
+            raise TypeError(f"{w.plain(node)} is not expanded: its argument grows without bound")
+        around = inner.coefficient(0)
+        if name in DERIVATIVES and name not in (*TURNS, "sqrt"):
+            start = (
+                None if (name, around) in AT_ZERO else FunctionOf(name, (w.number(0) if around is None else around,))
+            )
+            return by_slope(self(DERIVATIVES[name](argument)[0]), inner, start)
+        if name == "sqrt":
+            self.divisors[around] = None
+        slopes = taylor(name, around, self.length, node)
         return composed(slopes, behind(inner), self.length)

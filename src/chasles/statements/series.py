@@ -9,11 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.vocabulary import Call, Misfit, Negative, Node, Number, Quotient, Scale, Sum, Zero, plain
+from chasles.vocabulary import Call, Negative, Node, Number, Quotient, Scale, Sum, Zero, plain
 from chasles.vocabulary.functions import FunctionOf
 
+ONE = Number(Fraction(1))
 
-class TooShort(Misfit):
+
+class TooShort(TypeError):
     """A series in which no term is seen that is not zero: more terms may show one."""
 
 
@@ -72,44 +74,50 @@ def inverse(of: PowerSeries, divisor: Node) -> PowerSeries:
     return PowerSeries(-lead, tuple(terms), of.known - 2 * lead)
 
 
+TURNS = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1), "sinh": (1, 2, 1, 2), "cosh": (2, 1, 2, 1)}
+"""Which derivatives follow each other, with their signs: 0 the exponential function, 1 sine, 2 cosine."""
+
+
 def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | None]:
     """The coefficients of the Taylor series around a point; None for the point is zero."""
     factorials = [Fraction(1)]
     for k in range(1, length):
         factorials.append(factorials[-1] / k)
-    if name in ("sin", "cos", "exp"):
-        turns = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1)}[name]
-        one = Number(Fraction(1))
-        values = (one, None, one) if at is None else (FunctionOf("exp", (at,)), Call("sin", at), Call("cos", at))
-        signed = [(factorials[k] * (-1 if turns[k % 4] < 0 else 1), values[abs(turns[k % 4])]) for k in range(length)]
+    if name in TURNS:
+        pair = (
+            []
+            if at is None
+            else [FunctionOf(each, (at,)) if name.endswith("h") else Call(each[:3], at) for each in ("sinh", "cosh")]
+        )
+        values = (ONE, None, ONE) if at is None else (FunctionOf("exp", (at,)), *pair)
+        signed = [
+            (factorials[k] * (-1 if turn < 0 else 1), values[abs(turn)])
+            for k in range(length)
+            for turn in [TURNS[name][k % 4]]
+        ]
         return [None if value is None else scaled(Number(factor), value) for factor, value in signed]
     if name == "sqrt" and at is not None:
-        root: Node = at if at == Number(Fraction(1)) else FunctionOf("sqrt", (at,))
+        root: Node = at if at == ONE else FunctionOf("sqrt", (at,))
         found, factor, below = list[Node | None](), Fraction(1), root
         for k in range(length):
             found.append(scaled(Number(factor), below))
             factor *= (Fraction(1, 2) - k) / (k + 1)
             below = scaled(below, _over(at))
         return found
-    if name in ("log", "arctan", "arcsin") and (at is None) != (name == "log"):
-        return _at_its_zero(name, at, length, node)
-    raise Misfit(f"{plain(node)} is not expanded there")
+    raise TypeError(f"{plain(node)} is not expanded there")
 
 
-def _at_its_zero(name: str, at: Node | None, length: int, node: Node) -> list[Node | None]:
-    """The logarithm around one; the inverse tangent and sine around zero."""
-    if name == "log":
-        if at != Number(Fraction(1)):
-            raise Misfit(f"{plain(node)} is not expanded there")
-        return [None, *(_number(Fraction((-1) ** (k + 1), k)) for k in range(1, length))]
-    if name == "arctan":
-        return [_number(Fraction((-1) ** (k // 2), k)) if k % 2 else None for k in range(length)]
-    terms, factor = list[Node | None](), Fraction(1)
-    for k in range(length):
-        terms.append(_number(factor / k) if k % 2 else None)
-        if k % 2:
-            factor *= Fraction(k, k + 1)
-    return terms
+def by_slope(slope: PowerSeries, inner: PowerSeries, start: Node | None) -> PowerSeries:
+    """The series of a function from those of its slope and its argument, and its value at the start; None for zero."""
+    rates = tuple(
+        None if t is None or not k else scaled(Number(Fraction(k)), t) for k, t in enumerate(inner.terms, inner.begin)
+    )
+    found = product(slope, PowerSeries(inner.begin - 1, rates, inner.known - 1), scaled, slope.known)
+    if (found.lead or 0) < 0:
+        raise TypeError("what grows without bound is not expanded")
+    terms = (found.coefficient(k - 1) for k in range(1, found.known + 1))
+    risen = (None if t is None else scaled(Number(Fraction(1, k)), t) for k, t in enumerate(terms, 1))
+    return PowerSeries(0, (start, *risen), found.known + 1)
 
 
 def _first(series: PowerSeries) -> int:
@@ -167,4 +175,4 @@ def scaled(factor: Node, term: Node) -> Node:
 
 
 def _over(divisor: Node) -> Node:
-    return Number(1 / divisor.value) if isinstance(divisor, Number) else Quotient(Number(Fraction(1)), divisor)
+    return Number(1 / divisor.value) if isinstance(divisor, Number) else Quotient(ONE, divisor)

@@ -93,8 +93,8 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
         nonzero += kept
         sources |= {f"{value} != 0": (hypothesis.text,) for value in kept}
     lost = entries.lost_divisors(both)
+    nonzero += [divisor for divisor in lost if divisor not in nonzero]
     if not proving:
-        nonzero += [divisor for divisor in lost if divisor not in nonzero]
         for domain in entries.lost_domains(both):
             given[sp.Eq(sp.Abs(domain), domain, evaluate=False)] = (f"{spelled(domain)} >= 0",)
     if proving:
