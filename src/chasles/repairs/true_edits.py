@@ -136,7 +136,7 @@ def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
             yield SingleEdit(other, instead(other, node), FORM + (abs(number) != 1) + isinstance(other, w.Quotient))
     if not zero:
         for term, number in _multiples(factors, minus(wanted, present), most):
-            if node in w.walk(term):
+            if node in w.walk(term) or not fit(term, node):
                 continue  # what takes away all that stands there says nothing
             effort = new_term([(number, AngleFunction(term))]) + (abs(number) != 1) + 2 * (not place.term)
             yield SingleEdit(with_term(node, term), missing(term), effort)
