@@ -254,3 +254,12 @@ def test_what_the_displays_say_by_others_is_not_taken_for_constant() -> None:
     notation = proposed(printed.equations, printed.remarks)
     assert "constant" not in notation
     assert [each.verdict for each in chasles.read(page, notation, "tex").equations] == ["defined", "defined", "holds"]
+
+
+def test_what_is_defined_by_what_is_defined_is_looked_at_once() -> None:
+    lines = "".join(rf"\[ a_{{{k + 3}}} = a_{{{k}}} b + a_{{{k + 1}}} c + a_{{{k + 2}}} \]" for k in range(1, 40))
+    started = process_time()
+    notation = {"symbols": {"a_{##}": "scalar", "b": "scalar", "c": "scalar"}}
+    page = chasles.read(lines + r"\[ \dot a_{40} = b \]", notation, "tex")
+    assert page.counts["defined"] == 39
+    assert process_time() - started < 10

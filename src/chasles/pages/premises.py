@@ -14,6 +14,8 @@ from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, plai
 from chasles.vocabulary.letters import zero_of
 
 Rules = Mapping[Quantity, Statement]
+MOST_RATES = 6
+"""No higher rate is replaced by what rules say: they may lead to ever higher ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,12 +82,11 @@ class Premises:
 
     def copy(self) -> Premises:
         """The same, to which something else may be added."""
-        definitions = {q: list(known) for q, known in self.definitions.items()}
-        rules = with_fields(self, definitions=definitions, proved=dict(self.proved), opened=dict(self.opened))
-        told = with_fields(rules, said=list(self.said), posed=list(self.posed), stated=list(self.stated))
-        names = {name: list(claims) for name, claims in self.told.items()}
-        told = with_fields(told, told=names, unproved=set(self.unproved))
-        return with_fields(told, spoken=set(self.spoken), relied=set(self.relied))
+        other = with_fields(self, definitions={q: list(known) for q, known in self.definitions.items()})
+        other.told = {name: list(claims) for name, claims in self.told.items()}
+        for name in ("proved", "opened", "said", "posed", "stated", "unproved", "spoken", "relied"):
+            setattr(other, name, getattr(self, name).copy())
+        return other
 
     def defined(self, generation: int = 0) -> Rules:
         """The rules of the definitions; of an older `generation` those before them, or none for what was free then."""
@@ -224,14 +225,17 @@ def balancing(left: Node, right: Node, rules: Rules, place: Mapping[int, int]) -
 def _remaining(side: Node, chosen: Rules) -> set[Quantity]:
     """The quantities in a side once rules are applied."""
     found: set[Quantity] = set()
-    waiting = list(quantities(side))
+    reached = dict.fromkeys(quantities(side))
+    waiting = [*reached]
     while waiting:
         each = waiting.pop()
         key = rule_for(each, chosen)
-        if key is None:
+        if key is None or each[1] > MOST_RATES:
             found.add(each)
-        else:
-            waiting += quantities(chosen[key].right, each[1] - key[1])
+            continue
+        more = dict.fromkeys(quantities(chosen[key].right, each[1] - key[1]))
+        waiting += [other for other in more if other not in reached]
+        reached.update(more)
     return found
 
 
