@@ -404,6 +404,11 @@ def test_what_the_page_never_transposes_may_be_symmetric(first: str, expected: s
     assert verdicts_as_proposed(riccati, claim)[-1] == expected
 
 
+def test_upright_names_of_functions_are_no_factors() -> None:
+    snell = r"k_1 \text{sin} \theta_1 = k_2 \text{sin} \theta_2"
+    assert verdicts_as_proposed(snell, r"\text{sin}^2 \theta_2 = (k_1 / k_2) \text{sin}^2 \theta_1")[-1] == "open"
+
+
 def test_what_would_only_say_that_zero_is_zero_was_not_meant() -> None:
     letters = {"H": "matrix", "v": "vector", "h": "vector", r"\alpha": "scalar"}
     page = r"$$\dot h = H v = 0$$ $$\ddot h = H \dot v + \dot H v = 0$$"

@@ -660,6 +660,7 @@ def test_spellings_by_others_are_read_as_proposed(page: str, verdict: str) -> No
          [r"\frac{\pl(xy)}{\pl t}=a", r"\frac{\pl^{2}f}{\pl t^{2}}=b"]),
         (r"\[ P = \rho \kB T \] \[ T = 1 / \kB \]", [r"P=\rho\kB T", r"T=1/\kB"]),
         (r"\[ {\bf A} = {\bf A B C}^{-1} \]", [r"\mathbf{A}=\mathbf{A}\mathbf{B}\mathbf{C}^{-1}"]),
+        (r"\[ y = a \text{sin}^2 x + \mathrm{cos} \, z \]", [r"y=a\sin^2 x+\cos z"]),
         (r"\[ y = {\sin x}^2 \]", [r"y=\sin^2 x"]),
         (r"\[ \grad P = - \rho \grad V \]", [r"\nabla P=-\rho\nabla V"]),
     ],

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from chasles.reading import commands
-from chasles.reading.atoms import CLOSING, DEEPEST_BRACKET, OPENING, ROW_END, Atom, Atoms, single
+from chasles.reading.atoms import CLOSING, DEEPEST_BRACKET, NAME, OPENING, ROW_END, Atom, Atoms, single
 from chasles.reading.lexemes import LEXEME, BadPage, Token, lexemes, spelled
 from chasles.reading.typefaces import array_in_brackets, styled, text_atoms, with_scripts, without_empty_cells
 
@@ -105,6 +105,9 @@ class _Respelling:
         nuclei = [] if start.text in ("_", "^", "'", r"\prime") else self.nucleus()
         if nuclei and nuclei[-1].text in SCRIPTLESS:  # what follows is a script at the left of the next letter
             return nuclei
+        name = NAME.fullmatch(nuclei[0].text) if len(nuclei) == 1 and self.peek() not in ("", "}") else None
+        if name and name[1] in commands.PLAIN_NAMES:  # with an argument behind it
+            nuclei = [replace(nuclei[0], text=commands.PLAIN_NAMES[name[1]])]
         scripts: dict[str, Atoms] = {}
         primes = 0
         is_apart = False  # over a blank in place of a subscript stands what is printed at the left of the next letter
