@@ -211,6 +211,12 @@ def test_what_two_sides_have_in_common_has_to_be_defined(part: Any) -> None:
         assert need in verdict.needs
 
 
+@pytest.mark.parametrize("part", [tan(p), cos(p), 1 / sin(p)])
+def test_an_angle_may_be_compared_beside_functions_of_it(part: Any) -> None:
+    for condition in (Eq(p + part, part + 2 * pi), sp.Le(p + part, part + 2 * pi, evaluate=False)):
+        assert not prove(p**2 / p, p, given=condition).wrong
+
+
 @pytest.mark.parametrize(
     "claim", [sp.Ne(sqrt(X) * sqrt(s), -1), sp.Not(Eq(sqrt(X) * sqrt(s) + 3, 2)), Ne(sqrt(X) + s, s - 1)]
 )

@@ -20,6 +20,8 @@ T = sp.Symbol("t")
 MOVING = tuple(sp.Function(name)(T) for name in "fg")
 NUMBERS = (-1, 0, 0, Rational(1, 2), 1, 2)
 TURNS = (-pi, -pi / 2, 0, 0, pi / 4, pi / 3, pi / 2, pi, 3 * pi / 2, 2 * pi)
+SHARED = 0.1
+"""Of how many questions both sides of what is compared have a part in common."""
 RELATIONS = (sp.Gt, sp.Ge, sp.Lt, sp.Le)
 
 
@@ -79,4 +81,8 @@ def question(draw: Random) -> Equation:
     if draw.random() < 0.5:
         where += _between(draw, b, ends) if draw.random() < 0.6 else (draw.choice(RELATIONS)(a, b),)
     where = tuple(item for item in where if item not in (sp.true, sp.false))
+    if draw.random() < SHARED:
+        # It cancels where one side is subtracted from the other, and has to be defined all the same.
+        part = draw.choice((1 / b, log(b), sqrt(b), tan(b), asin(b), 1 / (b - 1)))
+        where = tuple(item.func(item.lhs + part, item.rhs + part, evaluate=False) for item in where)
     return Equation(sp.sympify(left), sp.sympify(right), where=where, kind="inequalities", lenient=True)

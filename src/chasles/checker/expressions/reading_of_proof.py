@@ -124,10 +124,10 @@ class Proven(KnownRoots):
             self._state_rates(e, names)
         if not any(str(e) == "pi" and e is not sympy.pi for e in self.atoms.values()):
             self.numeric.add(self.place(sympy.pi))
-        for e, text in certificate.get("substituted", {}).items():
-            self._eliminate(asked, e, text)
         self.functions = Functions(self)
         self.arcs = Arcs(self, self.functions)
+        for e, text in certificate.get("substituted", {}).items():
+            self._eliminate(asked, e, text)
         self.exp, self.log, self.arc = self.functions.exp, self.functions.log, self.arcs.arc  # type: ignore[method-assign]
         self._state(certificate, units, {str(e) for e in self.atoms.values()})
         self.complete = self.adds_roots = True
