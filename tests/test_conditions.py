@@ -108,3 +108,12 @@ def test_an_expansion_in_what_a_condition_binds_is_not_refuted() -> None:
     root = Condition("0", y**2, 1 + x, on=(y,))
     for said in (claim(y**2, up_to(1 + x, x, 2), given=(root,)), claim(y, up_to(1 + x, x, 2), given=(root,))):
         assert isinstance(Session().decide(said).verdict, Undecided)
+
+
+def test_what_is_assumed_of_an_unknown_is_known_of_it() -> None:
+    """The homography of a plane divides by its distance, which the condition determines and an earlier statement says
+    is not zero: the claim was called ill-formed."""
+    q, p_, normal = (vector(name, name, "") for name in ("q", "p", "normal"))
+    homography = Definition("1", q, p_ - s * (normal.T @ p_) / r, assuming=(nonzero(r),))
+    plane = Condition("2", normal.T @ p_ + r, lifted(0), on=(r,))
+    assert proved(Claim("3", q, p_ + s, given=(homography, plane))).needs == ("r != 0",)

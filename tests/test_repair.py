@@ -11,9 +11,24 @@ import pytest
 from chasles.prover.decide import decide_problem
 from chasles.repairs.repair import Repair, repair
 from chasles.rewriting.term_basis import fit
-from chasles.statements import Claim, Definition, Statement, load, problem_of
+from chasles.statements import Claim, Condition, Definition, Statement, load, problem_of
 from chasles.verdict import Holds, HoldsUnder
-from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Transpose, children, latex, plain, rebuilt
+from chasles.vocabulary import (
+    LENGTH,
+    TIME,
+    VELOCITY,
+    Misfit,
+    Negative,
+    Node,
+    Number,
+    Sum,
+    Transpose,
+    children,
+    latex,
+    plain,
+    rebuilt,
+    scalar,
+)
 
 from .decided import chapter_session
 from .sampling import sample
@@ -192,3 +207,14 @@ def test_damaged_claims_are_repaired_to_what_they_said(name: str) -> None:
             # Where the claim restates an equation, the sides of that may differ and the two right sides with them.
             assert claim.restates is not None or holds(claim, claim.right, each.right)
     assert tried
+
+
+def test_what_has_dimensions_is_repaired_where_terms_do_not_fit() -> None:
+    """The vis-viva equation: of what could be missing beside 1/r, most has another dimension."""
+    mu = scalar("mu", r"\mu", "a gravitational parameter", LENGTH**3 / TIME**2)
+    r, a = scalar("r", "r", "a distance", LENGTH), scalar("a", "a", "half of an axis", LENGTH)
+    v, total = scalar("v", "v", "a speed", VELOCITY), scalar("xi", "xi", "an energy", VELOCITY**2)
+    energy = Definition("1", total, v**2 / 2 - mu / r)
+    bound = Condition("2", total, -mu / (2 * a), on=(v,), given=(energy,))
+    slip = Claim("3", v**2, mu * (1 / r - 1 / a), given=(energy, bound))
+    assert plain(repair(slip)[0].right) == "mu (2 / r - 1 / a)"

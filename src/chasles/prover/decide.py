@@ -63,9 +63,10 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) 
         if turned is not None:
             return turned
         proved = _prove(context, context.basis, unproved)
-    except UndeclaredDivisor as error:
-        return IllFormed(str(error))
-    except Underdetermined as error:
+    except (UndeclaredDivisor, Underdetermined) as error:
+        if isinstance(error, UndeclaredDivisor) and not problem.conditions:
+            return IllFormed(str(error))
+        # What is assumed of a symbol that conditions determine is known of it where these are assumed, too.
         verdict = _decide(freed(problem), own, source)
         if isinstance(verdict, Undecided):
             return Undecided(str(error))
