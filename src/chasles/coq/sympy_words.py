@@ -66,7 +66,7 @@ class SympyWords:
             self.atoms[each] = w.Symbol(name, name, size, constant=each in variables, home=__name__, has_units=False)
         for each in sorted(expressions.atoms(sympy.Derivative), key=str):
             if each.expr not in functions:
-                raise Unsaid(f"the rate of {each.expr}")
+                raise Unsaid(f"{each} is a derivative of an expression, and no rate of a function of time")
             rate = self.atoms[each.expr]
             for order in range(each.derivative_count):
                 rate = self.atoms[each.expr.diff((self.time, order + 1))] = w.Rate(rate)
