@@ -36,11 +36,14 @@ TRUE = [
     claim(vec(A @ X + X @ B), (kron(other, A) + kron(B.T, one)) @ vec(X)),
     claim(vec(x @ y.T), kron(y, x)),
     claim(vec(X).T @ vec(Y), tr(X.T @ Y)),
+    claim(vec(X).T @ kron(B, A) @ vec(Y), tr(X.T @ A @ Y @ B.T)),
+    claim((kron(B, A) @ vec(X)).T @ kron(B, A) @ vec(X), tr(X.T @ A.T @ A @ X @ B.T @ B)),
 ]
 FALSE = [
     claim(kron(A, B) @ kron(C, D), kron(C @ A, B @ D)),
     claim(kron(A, B), kron(B, A)),
     claim(vec(A @ X @ B), kron(B, A) @ vec(X)),
+    claim(vec(X).T @ kron(B, A) @ vec(Y), tr(X.T @ A @ Y @ B)),
     claim(vec(A.T), vec(A)),
     claim(vec(x @ y.T), kron(x, y)),
 ]

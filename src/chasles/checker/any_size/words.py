@@ -83,6 +83,9 @@ class SymbolicReading(KnownRelations):
                 return reduce(plus, map(self, terms))
             case w.Negative(term):
                 return multiplied(self(term), Fraction(-1))
+            case w.Contract((*before, SizedKroneckerProduct(left, right), SizedVectorized(of))):
+                column = SizedVectorized(w.Contract((right, of, w.Transpose(left))))
+                return reduce(self.times, map(self, (*before, column)))
             case w.Contract(factors):
                 return reduce(self.times, map(self, factors))
             case w.Power(base, exponent):
