@@ -66,7 +66,7 @@ def test_a_function_may_have_any_values_at_different_places(lhs: Any, rhs: Any) 
 @pytest.mark.parametrize(
     ("lhs", "rhs", "given"),
     [
-        (f(x), f(y), [Eq(x, y)]),  # true
+        (f(x), f(y), [Eq(x**2, y**2)]),
         (f(x), 1, [Eq(f(x).diff(x), 0), Eq(f(0), 1)]),  # true: it is constant
         (f(2 * x), 2 * f(x), [Eq(f(x + y), f(x) + f(y))]),  # true if it is given for all x and y
         (z, 2 * z, [Eq(f(x), 1), Eq(f(y), 2), Eq(x, y)]),  # nothing satisfies what is given
@@ -97,3 +97,31 @@ def test_values_at_the_same_place_are_no_counterexample() -> None:
     at = {**verdict.counterexample.at, "x": sp.Integer(0)}
     with pytest.raises(Rejected):
         recheck(Fails(type(verdict.counterexample)(at, (1, 1), "0", "0", "")), x * f(x), x * f(2 * x))
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "given", "needs"),
+    [
+        (f(x), f(y), [Eq(x, y)], ("x = y",)),
+        (x * f(x), y * f(y), [Eq(x, y)], ("x = y",)),
+        (f(x + z), f(3 * y), [Eq(x, 2 * y), Eq(z, y)], ("x = 2*y", "z = y")),
+        (f(x).diff(x), sp.Subs(f(y).diff(y), y, 2), [Eq(x, 2)], ("x = 2",)),
+        (f(x, y), f(y, x), [Eq(x, y)], ("x = y",)),
+        (f(x) + x, x + f(x), [Eq(x, y)], ()),
+    ],
+    ids=str,
+)
+def test_values_at_what_is_given_to_be_equal_are_the_same(left: Any, right: Any, given: Any, needs: Any) -> None:
+    verdict = prove(left, right, given)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    assert verdict.needs == needs
+    recheck(verdict, left, right, given)
+    if needs:
+        assert not isinstance(prove(left, right), Holds | HoldsUnder)
+        with pytest.raises(Rejected):
+            recheck(Holds(verdict.certificate, verdict.witness), left, right, given)
+
+
+@pytest.mark.parametrize("given", [Eq(x**2, y**2), Eq(x, 2 * y), Eq(y, x + 1)], ids=str)
+def test_and_others_are_not(given: Any) -> None:
+    assert not isinstance(prove(f(x), f(y), given), Holds | HoldsUnder)

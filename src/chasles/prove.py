@@ -98,7 +98,7 @@ def prove(
     if not isinstance(verdict, Holds | HoldsUnder):
         return verdict
     poles = (f"{e} != 0" for e in set(expressions_in(asked[3])) - set(expressions_in(said)))
-    if used := [text for text in (*definitions(said, asked), *sorted(poles)) if text in verdict.unused]:
+    if used := [text for text in (*definitions(said, asked), *sorted(poles), *calls.defined) if text in verdict.unused]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=(*said, claimed(lhs, rhs, given)))
@@ -237,7 +237,7 @@ def recheck(
     reasons = []
     for asked in readings_of(calls.said):
         try:
-            _check_reading(verdict, said, asked)
+            _check_reading(verdict, [*definitions(said, asked), *calls.defined], asked)
             require_possible(verdict, calls)
             return
         except Rejected as reason:
@@ -245,8 +245,8 @@ def recheck(
     raise reasons[0]
 
 
-def _check_reading(verdict: Holds | HoldsUnder | Fails, said: Said, asked: Said) -> None:
-    for text in definitions(said, asked):
+def _check_reading(verdict: Holds | HoldsUnder | Fails, equations: Iterable[str], asked: Said) -> None:
+    for text in equations:
         if not isinstance(verdict, Fails) and text not in verdict.needs:
             raise Rejected(f"the verdict is on {text}, and does not say so")
     _check(verdict, asked)

@@ -21,6 +21,7 @@ from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import atoms_of, different_parts, parts_of
+from chasles.from_sympy.side_conditions import listed
 
 VALUES = AppliedUndef | sympy.Derivative | sympy.Subs
 BINDING = sympy.Sum | sympy.Product | sympy.Integral | sympy.Limit
@@ -57,7 +58,8 @@ class Value:
 class Calls:
     """A question in which all values of a function are at the same different symbols: others are quantities.
 
-    `said` is the question so; a function keeps the first set of arguments of which it has a derivative.
+    `said` is the question so, and `defined` are the equations given by which arguments are said; a function keeps the
+    first set of arguments of which it has a derivative.
     """
 
     def __init__(self, said: tuple[Any, ...]) -> None:
@@ -68,10 +70,18 @@ class Calls:
         # SymPy (1.14) leaves symbols called like a place in derivatives of what is there.
         places = {sympy.Symbol(f"_{p}"): p for e in _parts(spoken, sympy.Subs) for p in e.point if p.args}
         self.read = {e: value.at(places) for e, value in _values(spoken)}
+        given = {} if any(e.has(AppliedUndef) for e in expressions_in(said[2])) else _said_values(said[2])
+        places_of = {(value.function, value.arguments) for value in self.read.values()}
+        several = len(places_of) > len({function for function, _ in places_of})
+        met = {symbol for value in self.read.values() for e in value.arguments for symbol in e.free_symbols}
+        self.defined = tuple(text for symbol, (_, text) in given.items() if symbol in met and several)
+        if self.defined:
+            known = {symbol: value for symbol, (value, _) in given.items()}
+            self.read = {e: value.at(known) for e, value in self.read.items()}
         self.plain = _plain(self.read.values())
         self.named: dict[Value, Any] = {}
         self.put = {e: self._quantity(value) for e, value in self.read.items()}
-        if self.named:
+        if any(e != quantity for e, quantity in self.put.items()):
             self.said = with_values(said, self.put)
 
     def _quantity(self, value: Value) -> Any:
@@ -132,6 +142,17 @@ class Calls:
         if any(not (place.is_real and place.is_finite) for places in found for place in places):
             raise Rejected("an argument of a function is not seen to have a value at the point")
         return found
+
+
+def _said_values(given: Any) -> dict[Any, tuple[Any, str]]:
+    """Symbols of which it is given what they are, in others, and by which equation: f(x) is f(y) where x is y."""
+    found: dict[Any, tuple[Any, str]] = {}
+    for e in (item for _, item in listed(given, "given") if isinstance(item, sympy.Equality)):
+        taken = {*found, *(symbol for value, _ in found.values() for symbol in value.free_symbols)}
+        known = isinstance(e.rhs, sympy.Expr) and not e.rhs.free_symbols & {e.lhs, *found}
+        if e.lhs.is_Symbol and e.lhs not in taken and known:
+            found[e.lhs] = e.rhs, f"{e.lhs} = {e.rhs}"
+    return found
 
 
 def _plain(values: Iterable[Value]) -> dict[Any, tuple[Any, ...]]:
