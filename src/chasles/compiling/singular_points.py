@@ -81,7 +81,8 @@ def _near(join: Any, parts: Sequence[Any], differences: DividedDifferences) -> t
     if not below or (join is sympy.Add and len(own) < 2):
         raise LoweringError("nothing is divided that vanishes")
     near, order = sympy.S.One, 0
-    factors = [factor.as_base_exp() for factor in sympy.Mul.make_args(sympy.factor_terms(above))]
+    told = [sympy.factor_terms(part) if differences.vanish(part) else part for part in sympy.Mul.make_args(above)]
+    factors = [factor.as_base_exp() for part in told for factor in sympy.Mul.make_args(part)]
     for base, exponent in (*factors, *((base, -power) for base, power in below.items())):
         left, times = base, 0
         while exponent.is_Integer and times < _MOST_ORDER and differences.vanish(left):
@@ -105,7 +106,7 @@ def _over_one(expression: Any, differences: DividedDifferences) -> tuple[Any, di
         above, below = _over_one(base, differences)
         if exponent > 0:
             return above**exponent, {b: e * exponent for b, e in below.items()}
-        split = [each for factor in sympy.Mul.make_args(sympy.factor_terms(above)) for each in _primitive(factor)]
+        split = _factors(above)
         found = {factor: -power * exponent for factor, power in split if differences.vanish(factor)}
         others = [factor ** (power * exponent) for factor, power in split if factor not in found]
         return sympy.Mul(*others, *(b ** (-e * exponent) for b, e in below.items())), found
@@ -120,6 +121,12 @@ def _over_one(expression: Any, differences: DividedDifferences) -> tuple[Any, di
         return sympy.Mul(*(above for above, _ in parts)), common
     missing = [sympy.Mul(*(b ** (e - below.get(b, 0)) for b, e in common.items())) for _, below in parts]
     return sympy.Add(*(above * by for (above, _), by in zip(parts, missing, strict=True))), common
+
+
+@lru_cache(KEPT)
+def _factors(expression: Any) -> list[tuple[Any, Any]]:
+    """Its factors and their powers, as far as they are seen term by term."""
+    return [each for factor in sympy.Mul.make_args(sympy.factor_terms(expression)) for each in _primitive(factor)]
 
 
 def _primitive(factor: Any) -> list[tuple[Any, Any]]:
