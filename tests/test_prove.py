@@ -265,11 +265,6 @@ def test_both_sides_have_one_shape() -> None:
         (sp.bessely(0, x), {}, r"^bessely\(0, x\) is not treated"),
         (sqrt(x + sp.I * y), {}, r"^sqrt\(x [+] I[*]y\) is not treated: of complex numbers only"),
         (0.5 * x, {}, r"^0\.5\d* is a floating-point number, which is not exact: write Rational\('1/2'\)"),
-        (
-            sp.Sum(sp.Function("h")(N), (N, 1, 3)),
-            {},
-            r"^h\(1\) is not treated: the arguments of a function are different",
-        ),
         (sp.Symbol("z", imaginary=True), {}, "^z is not real"),
         (sp.Symbol("A", commutative=False), {}, "^A does not commute"),
         (x + sp.Symbol("x", positive=True), {}, "^two different symbols are both called x"),
@@ -297,6 +292,13 @@ def test_what_is_not_treated_is_named(lhs: Any, under: dict[str, Any], message: 
     with pytest.raises(Untreatable, match=message) as caught:
         prove(lhs, **{"rhs": 1, **under})
     assert isinstance(caught.value, ValueError)
+
+
+def test_a_symbol_that_is_infinite_is_refused_also_where_it_cancels() -> None:
+    inf = sp.Symbol("inf", infinite=True)
+    for asked in ((inf + 1 > inf,), (x, x, [Eq(y, inf)]), (inf, inf), (sp.Matrix([inf - x]), sp.Matrix([inf - x]))):
+        with pytest.raises(Untreatable, match=r"^inf is infinite: the variables are real"):
+            prove(*asked)
 
 
 @pytest.mark.parametrize(

@@ -25,12 +25,19 @@ from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.unknown_integrands import is_tied, without_unknown_integrands
+from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 
 def as_said(exact: bool, *said: Any) -> tuple[Any, ...]:
-    """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
+    """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts.
+
+    Raises `Untreatable` for a symbol that is infinite, also where it would cancel: inf + 1 > inf is false.
+    """
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
+    symbols = {atom for e in expressions_in(said) for atom in getattr(e, "free_symbols", ())}
+    if infinite := sorted(str(atom) for atom in symbols if getattr(atom, "is_infinite", False)):
+        raise Untreatable(f"{infinite[0]} is infinite: the variables are real numbers")
     lhs, rhs, *conditions = said
     stated = isinstance(lhs, Boolean) and not isinstance(lhs, sympy.Symbol)
     rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
