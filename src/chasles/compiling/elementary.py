@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from fractions import Fraction
 from functools import partial
 
 import sympy
@@ -18,13 +17,12 @@ from chasles.compiling.exponentials import (
     divided_exponential,
     held_largest,
 )
+from chasles.compiling.powers import where_nonnegative
 from chasles.compiling.taylor import Stumpff, TaylorPolynomial, horner
 from chasles.lowering.builder import Builder
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
 
-MOST_FACTORS = 32
-"""A whole power of more factors is left to the function `pow`: so many roundings would add up."""
 _SAME_IN_C: Mapping[type, str] = {
     sympy.Abs: "fabs",
     sympy.floor: "floor",
@@ -112,11 +110,11 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         DividedExponential: lambda *points: divided_exponential(build, list(points)),
         Inverted: partial(_inverted, build, {}),
         sympy.expint: partial(_exponential_integral, build),
-        sympy.Ci: lambda a: _where_nonnegative(build, a, build.function("ci", a)),
-        sympy.Chi: lambda a: _where_nonnegative(build, a, build.function("chi", a)),
+        sympy.Ci: lambda a: where_nonnegative(build, a, build.function("ci", a)),
+        sympy.Chi: lambda a: where_nonnegative(build, a, build.function("chi", a)),
         sympy.li: lambda a: build.function("expi", build.function("log", a)),
         sympy.polygamma: partial(_polygamma, build),
-        sympy.loggamma: lambda a: _where_nonnegative(build, a, build.function("lgamma", a)),
+        sympy.loggamma: lambda a: where_nonnegative(build, a, build.function("lgamma", a)),
         sympy.factorial: lambda a: build.function("tgamma", build.add(a, build.one)),
         sympy.ceiling: lambda a: build.negate(build.function("floor", build.negate(a))),
         sympy.frac: lambda a: build.subtract(a, build.function("floor", a)),
@@ -131,50 +129,6 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         cfunctions.exp2: lambda a: build.function("pow", build.constant(2), a),
         cfunctions.hypot: lambda a, b: build.square_root(build.add(build.multiply(a, a), build.multiply(b, b))),
     }
-
-
-def power(build: Builder, base: int, exponent: Fraction) -> int:
-    """The base to a positive rational power: by products and roots, by `pow` where these are many or there are none."""
-    twos, rest = _parted(exponent.denominator, 2)
-    threes, rest = _parted(rest, 3)
-    if exponent.numerator > MOST_FACTORS * exponent.denominator or rest > 1 or twos + threes > 2:
-        return build.function("pow", base, build.constant(exponent))
-    whole, left = divmod(exponent.numerator, exponent.denominator)
-    if threes:
-        whole, left = 0, exponent.numerator
-    root = base
-    for _ in range(threes):
-        root = _where_nonnegative(build, root, build.function("cbrt", root))
-    for _ in range(twos):
-        root = build.square_root(root)
-    total = build.multiply(_whole_power(build, root, left), _whole_power(build, base, whole))
-    if exponent > 1 and root != base:
-        # The slope of a root is infinite at zero, and that of its third power is not.
-        build.rate_by(total, (base, build.multiply(build.constant(exponent), power(build, base, exponent - 1))))
-    return total
-
-
-def _parted(number: int, prime: int) -> tuple[int, int]:
-    """How often a prime divides the number, and what is left of it."""
-    count = 0
-    while number % prime == 0:
-        number, count = number // prime, count + 1
-    return count, number
-
-
-def _whole_power(build: Builder, base: int, exponent: int) -> int:
-    """The power by squaring."""
-    total = build.one
-    while exponent:
-        if exponent % 2:
-            total = build.multiply(total, base)
-        exponent //= 2
-        base = build.multiply(base, base) if exponent else base
-    return total
-
-
-def _where_nonnegative(build: Builder, a: int, value: int) -> int:
-    return build.select(build.less(a, build.zero), build.not_a_number(), value)
 
 
 def _leg(build: Builder, a: int) -> int:

@@ -17,7 +17,8 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.simplify.cse_main import Unevaluated
 
-from chasles.compiling.elementary import PowerTimesLog, functions_by_class, power
+from chasles.compiling.elementary import PowerTimesLog, functions_by_class
+from chasles.compiling.powers import power
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError

@@ -5,20 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from chasles.algebra.groebner import Combination
 from chasles.algebra.rings import written as text_of
-from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.asked import Asked
-from chasles.checker.expressions.complexes import differences
-from chasles.checker.expressions.facts import Facts
 from chasles.checker.expressions.proof import claims_of
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.reading_of_proof import Proven
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, limited, parsed
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, limited
 from chasles.from_sympy.elementary import Elementary
+from chasles.from_sympy.fact_labels import FactLabels
 from chasles.from_sympy.given_equations import SideConditions
 from chasles.from_sympy.naming import spelled, written
 from chasles.from_sympy.opening import FunctionSymbol
@@ -30,7 +27,6 @@ from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import ProvedEntry
 from chasles.vocabulary import Node, Power, Scale
 
-Key = frozenset[tuple[int, int]]
 MOST_PRODUCTS = 500_000
 """So many products of terms are formed at most to see which facts of the checker a proof rests on."""
 ALWAYS = ("variant", "names", "witness")
@@ -162,7 +158,7 @@ class Writing:
         asked = Asked(*self.asked)
         reading = Proven(asked, certificate)
         claims = claims_of(asked, reading, certificate)
-        labels = _Labels(asked, reading, certificate)
+        labels = FactLabels(asked, reading, certificate)
         if impossible:
             squares = [[text_of(context.field.ring, part) for part in pair] for pair in impossible.squares]
             of = [[*pair] for pair in labels.cofactors(context, impossible.cofactors).items()]
@@ -179,79 +175,6 @@ class Writing:
                 }
             said: dict[str, Any] = ({"times": times} if times else {}) | ({"cofactors": cofactors} if cofactors else {})
             yield f"{row},{column}", said
-
-
-class _Labels:
-    """Finds what the checker calls something that vanishes."""
-
-    def __init__(self, asked: Asked, reading: Proven, certificate: Mapping[str, Any]) -> None:
-        self.reading = reading
-        self.facts = Facts(asked, reading, certificate)
-        self.names = [
-            f"given {k} {i + 1},{j + 1}"
-            for k, item in enumerate(asked.given)
-            for i, j in differences(reading, item.pairs)
-        ]
-        for k, frame in enumerate(certificate.get("frames", ())):
-            size = len(frame["rows"])
-            rows = range(1, size * (2 if frame["proper"] else 1) + 1)
-            self.names += [f"frame {k} {i},{j}" for i in rows for j in range(1, size + 1)]
-        for k, found in enumerate(certificate.get("squares", ())):
-            self.names += [f"square {k} {i + 1},1" for i in range(len(found["squares"]))]
-        if reading.calls:
-            self.names += [f"{of} {name}" for name in self.names if name.startswith("given") for of in ("exp", "log")]
-        self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
-        self.names += [f"root {name}" for name, place in reading.places.items() if place in self._roots()]
-        self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]
-        self.known: dict[Key, tuple[str, Fraction]] = {}
-        self.order = -1
-
-    def _roots(self) -> set[int]:
-        return {place for place, _ in self.reading.functions.roots.values()}
-
-    def __call__(self, text: str) -> tuple[str, Fraction]:
-        """The label, and of which multiple of it this is the text."""
-        scale, base = primitive(self.reading.normal(parsed(text, self.reading.places)))
-        key = _key(base)
-        while key not in self.known and self._differentiate():
-            pass
-        if key not in self.known:
-            raise Rejected(f"{text} is not seen to follow from what is given")
-        label, other = self.known[key]
-        return label, scale / other
-
-    def cofactors(self, context: Context, combination: Combination) -> dict[str, str]:
-        """By their labels, by what the facts are multiplied."""
-        ring, found = context.field.ring, {}
-        for k, cofactor in combination.items():
-            generator = context.generators[k]
-            if generator.hypothesis is not None and generator.hypothesis.kind != "root":
-                label, scale = self(text_of(ring, generator.polynomial))
-                found[label] = text_of(ring, cofactor * ring.constant(scale))
-        return found
-
-    def _differentiate(self) -> bool:
-        """Take the next derivative of everything."""
-        self.order += 1
-        most = max((int(getattr(e, "derivative_count", 0)) for e in self.reading.atoms.values()), default=0)
-        if self.order > most + 1:
-            return False
-        rate = f" d{self.order}" if self.order else ""
-        for label in (*(name + rate for name in self.names), *(self.equal if not rate else ())):
-            try:
-                scale, base = primitive(self.facts[label])
-            except Rejected:
-                continue
-            self.known.setdefault(_key(base), (label, scale))
-        return True
-
-
-def _is_zero(atom: Any) -> bool:
-    return atom is not None and bool(atom.is_zero)
-
-
-def _key(polynomial: Polynomial) -> Key:
-    return frozenset(polynomial.terms.items())
 
 
 def _by_label(entries: Mapping[tuple[int, int], int]) -> dict[str, int]:

@@ -9,7 +9,8 @@ from math import prod
 from chasles.algebra.localization import Ratio
 from chasles.lowering.cases import Choice
 from chasles.lowering.equivalence.algebra import Algebra
-from chasles.lowering.equivalence.reading import ProgramReading, Settled, Unreadable, angles_of, scale_symbols
+from chasles.lowering.equivalence.angles_taken import Unreadable, angles_of
+from chasles.lowering.equivalence.reading import ProgramReading, Settled, scale_symbols
 from chasles.lowering.equivalence.signs import Differences, Fork, Impossible, Signs
 from chasles.lowering.program import Program
 from chasles.lowering.request import Output, Request
