@@ -30,6 +30,9 @@ def _laplacian() -> Any:
     [
         (WAVE.diff(t, 2), c**2 * WAVE.diff(x, 2), []),
         (Derivative(WAVE, t, 2), c**2 * Derivative(WAVE, x, 2), []),
+        (Derivative(sin(x**2), x), 2 * x * cos(x**2), []),
+        (Derivative(sin(x**2) * cos(a * x), x, x).doit(), Derivative(sin(x**2) * cos(a * x), x, 2), []),
+        (Derivative(sin(sp.pi * x), x), sp.pi * cos(sp.pi * x), []),
         (POLAR.diff(r, 2) + POLAR.diff(r) / r + POLAR.diff(a, 2) / r**2, _laplacian(), []),
         (2 * s * f(x / sqrt(s)).diff(s), -x * f(x / sqrt(s)).diff(x), []),
         (f((x - 1) * (x + 1)), f(x**2 - 1), []),

@@ -63,8 +63,9 @@ class Calls:
     """
 
     def __init__(self, said: tuple[Any, ...]) -> None:
-        rates = [e for e in _parts(_with_functions(said), sympy.Derivative) if value_of(e) is None]
-        said = with_values(said, {e: e.doit() for e in rates}) if rates else said
+        rates = [e for e in _parts(expressions_in(said), sympy.Derivative) if value_of(e) is None]
+        slopes = {e: slope for e in rates if not (slope := e.doit()).has(sympy.DiracDelta)}
+        said = with_values(said, slopes) if slopes else said
         self.said, self.given = said, said[2:]
         spoken = _with_functions(said)
         # SymPy (1.14) leaves symbols called like a place in derivatives of what is there.
