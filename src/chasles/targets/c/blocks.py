@@ -24,6 +24,8 @@ from chasles.targets.spelling import Spelled, spelled
 _WORD = re.compile(r"\w+")
 _MOST_COST = 4
 """Where a number that is moved goes with more arithmetic than so many additions, its move costs little beside it."""
+_MOST_MOVED = 64
+"""Of larger items known steps were measured to gain nothing, and compiling twice takes longer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +66,7 @@ def block(kernel: TargetKernel, precision: Precision) -> BlockFunction:
     scalar = _one_by_one(kernel, precision)
     parts = parts_of(kernel.program)
     if not parts.parts:
-        looks = cost(kernel.program) <= _MOST_COST * entries
+        looks = entries <= _MOST_MOVED and cost(kernel.program) <= _MOST_COST * entries
         choice = _choice(name, packed(parameters, precision) if looks else ())
         return BlockFunction(name, choice, tuple(_on_registers(kernel.program, precision)), scalar)
     names = [f"{name}_part_{number}" for number, _ in enumerate(parts.parts, start=1)]
