@@ -14,8 +14,9 @@ import chasles
 from chasles.bounds.box import bound_of_program
 from chasles.bounds.outline import NoBound
 from chasles.compiling.derived import derived_from
-from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.inputs import inputs_of
 from chasles.compiling.program_of import program_of
+from chasles.compiling.results import outputs_of
 from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.program import Program
 

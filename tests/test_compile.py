@@ -19,7 +19,7 @@ import sympy as sp
 
 import chasles
 from chasles import kernels
-from chasles.compiling import LoweringError, compiler, depth, operands, store
+from chasles.compiling import LoweringError, compiler, depth, inputs, store
 from chasles.kernels import chapter
 
 from .sampling import WHOLE
@@ -382,7 +382,7 @@ def test_what_is_refused_is_named(number):
 
 
 def test_more_numbers_than_a_batch_takes_are_refused_before_they_are_looked_at(monkeypatch):
-    monkeypatch.setattr(operands, "MOST_ENTRIES", 100)
+    monkeypatch.setattr(inputs, "MOST_ENTRIES", 100)
     monkeypatch.setattr(sp.MatrixSymbol, "as_explicit", None)
     w = sp.Matrix(sp.symbols("w1:11"))
     for wrong in (

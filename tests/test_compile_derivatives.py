@@ -15,8 +15,9 @@ from sympy.physics.mechanics import dynamicsymbols
 import chasles
 from chasles.compiling import derivatives as module
 from chasles.compiling.derived import derived_from
-from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.inputs import inputs_of
 from chasles.compiling.program_of import program_of
+from chasles.compiling.results import outputs_of
 from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder
 from chasles.lowering.program import Op

@@ -13,7 +13,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import chasles
 from chasles.compiling import LoweringError
 from chasles.compiling.identifiers import identifier, name_of_group
-from chasles.compiling.operands import inputs_of
+from chasles.compiling.inputs import inputs_of
 
 from .counted import at_most
 

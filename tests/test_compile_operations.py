@@ -6,8 +6,9 @@ import pytest
 import sympy as sp
 from benchmarks.compile.models import MODELS
 
-from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.inputs import inputs_of
 from chasles.compiling.program_of import program_of
+from chasles.compiling.results import outputs_of
 
 MOST = {
     "cart_pendulum_4": 145,

@@ -14,8 +14,9 @@ from sympy.codegen import cfunctions
 import chasles
 from chasles.bounds.model import precision
 from chasles.compiling.derived import derived_from
-from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.inputs import inputs_of
 from chasles.compiling.program_of import program_of
+from chasles.compiling.results import outputs_of
 from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.program import Op
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import replace
@@ -221,7 +220,7 @@ def test_what_is_given_holds_at_a_counterexample_with_its_rates() -> None:
 @pytest.fixture
 def unchecked(monkeypatch: pytest.MonkeyPatch) -> None:
     """`prove` shows what was found without having it checked."""
-    monkeypatch.setattr(sys.modules[prove.__module__], "_followed", lambda verdict, asked: verdict)
+    monkeypatch.setattr("chasles.from_sympy.methods._followed", lambda verdict, asked: verdict)
 
 
 BROKEN_SIGNS = [(sqrt(x**2), x), (sqrt(x**2 * y**2), x * y), (sqrt((x + y) ** 2), x + y)]

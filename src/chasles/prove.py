@@ -3,36 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from dataclasses import replace
-from functools import partial
 from math import inf
 from typing import Any
 
 from sympy.polys.polyerrors import BasePolynomialError
 
-from chasles.algebra.work_limit import OutOfTime, remaining, within
+from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for_sizes
-from chasles.checker.expressions.counterexample import check_refutation
-from chasles.checker.expressions.induction import at_numbers, check_induction
-from chasles.checker.expressions.proof import check_proof
-from chasles.checker.sparse import Rejected, well_formed
-from chasles.from_sympy import Question, ask
+from chasles.checker.sparse import Rejected
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.calls import Calls
-from chasles.from_sympy.changed_forms import where_forms_change
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.components import claimed
-from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.handed_in import as_said, readings_of, require_possible
-from chasles.from_sympy.induction import by_induction
 from chasles.from_sympy.inequalities import Said, definitions
+from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.opening import excerpt
-from chasles.from_sympy.splitting import Splitting
 from chasles.problems.variables import Untreatable
-from chasles.prover.decide import decide_problem
-from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
@@ -136,89 +126,6 @@ def _raised_in_sympy(error: BaseException) -> bool:
     return trace is not None and str(trace.tb_frame.f_globals.get("__name__")).startswith("sympy.")
 
 
-def _decided_or_by_induction(*asked: Any) -> Verdict:
-    """The verdict on the question as it stands; else on sums and products up to a letter, by induction on it."""
-    try:
-        verdict = _verdict(*asked)
-    except Untreatable:
-        found = by_induction(asked, _verdict)
-        if found is None:
-            raise
-        return _followed(found, asked)
-    found = by_induction(asked, _verdict) if isinstance(verdict, Undecided) else None
-    return verdict if found is None else _followed(found, asked)
-
-
-def _proved_by_cases(*asked: Any) -> Verdict:
-    """The verdict if it is proved by cases; nothing is refuted."""
-    lhs, rhs, given, nonzero = asked
-    splitting = Splitting(lhs, rhs, given, nonzero, _answered)
-    return _followed(splitting.verdict(refuting=False), asked) if splitting.possible else Undecided("no one shape")
-
-
-WAYS = _decided_or_by_induction, _proved_by_cases
-"""How the first reading of inequalities is decided, and the second."""
-
-
-def _verdict(*asked: Any) -> Verdict:
-    """The verdict on the question as it stands; else by cases, or on a more general one."""
-    lhs, rhs, given, nonzero = asked
-    splitting = Splitting(lhs, rhs, given, nonzero, _answered)
-    by_cases = _followed(splitting.verdict(), asked) if splitting.wanted else None
-    if by_cases is not None and (by_cases.true or isinstance(by_cases, Fails) or not splitting.readable):
-        return (by_cases if not isinstance(by_cases, Undecided) else _refuted_where_forms_change(asked)) or by_cases
-    refused = None
-    try:
-        question = ask(*asked)
-        verdict = _followed(_answered(question), asked) if isinstance(question, Question) else question
-    except Untreatable as error:
-        refused = error
-        verdict = Undecided(str(error))
-    if by_cases is not None and isinstance(verdict, Contradictory) and not splitting.states(verdict.hypotheses):
-        # Of a sign as a quotient it is said that it has no value at zero: by cases it has one.
-        verdict = by_cases
-    if isinstance(verdict, Undecided) and splitting.possible:
-        again = by_cases or _followed(splitting.verdict(), asked)
-        verdict = verdict if isinstance(again, Undecided) else again
-    if splitting.wanted and isinstance(verdict, HoldsUnder | Undecided):
-        verdict = _refuted_where_forms_change(asked) or verdict
-    if isinstance(verdict, Undecided) and refused is not None:
-        raise refused
-    return verdict
-
-
-def _refuted_where_forms_change(asked: tuple[Any, ...]) -> Verdict | None:
-    """A counterexample where that vanishes of which a sign is taken: the sign of zero is zero, and no quotient."""
-    for there in where_forms_change(*asked):
-        with suppress(Untreatable, OutOfTime):
-            question = ask(*there)
-            found = _followed(_answered(question), asked) if isinstance(question, Question) else question
-            if isinstance(found, Fails):
-                return found
-    return None
-
-
-def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
-    """The verdict, if it needs no proof or the checker follows it: what it does not follow is undecided."""
-    try:
-        _check(verdict, asked)
-    except Rejected as reason:
-        return Undecided(f"an answer was found that the checker does not follow: {reason}")
-    return verdict
-
-
-def _check(verdict: Verdict, asked: tuple[Any, ...]) -> None:
-    """Raise `Rejected` for a proof or a counterexample that the checker does not follow."""
-    match verdict:
-        case Holds() | HoldsUnder():
-            if "unread" in verdict.certificate:
-                raise Rejected(verdict.certificate["unread"])
-            (check_induction if "induction" in verdict.certificate else check_proof)(verdict, *asked)
-        case Fails(found):
-            with well_formed("counterexample"):
-                check_refutation(*at_numbers(found, *asked))
-
-
 def recheck(
     verdict: Verdict, lhs: Any, rhs: Any = None, given: Any = (), nonzero: Any = (), exact: bool = False
 ) -> None:
@@ -249,50 +156,4 @@ def _check_reading(verdict: Holds | HoldsUnder | Fails, equations: Iterable[str]
     for text in equations:
         if not isinstance(verdict, Fails) and text not in verdict.needs:
             raise Rejected(f"the verdict is on {text}, and does not say so")
-    _check(verdict, asked)
-
-
-def _answered(question: Question) -> Verdict:
-    """The verdict; what algebra leaves open may fail at a point where both sides are bounded."""
-    sampling = question.sampling
-    found = sampling.counterexample(few=True) if sampling and question.formal else None
-    if found:
-        return Fails(found)
-    verdict = question.answered(_decided(question))
-    if sampling and isinstance(verdict, Undecided):
-        found = sampling.counterexample()
-        return Fails(found) if found else verdict
-    if sampling and question.formal and isinstance(verdict, Holds | HoldsUnder):
-        point = sampling.point()
-        if point is None:
-            open_ = "it follows from what is given, but no point was found that satisfies all of it"
-            return contradiction(question) or Undecided(open_)
-        said = {str(name): str(value) for name, value in point.items()}
-        named = [name for name in verdict.certificate["witness"] if name.startswith(("cos(", "sin("))]
-        more = {"turns": named} if named else {}
-        return replace(verdict, certificate={**verdict.certificate, **more, "witness": said}, witness=point)
-    return verdict
-
-
-def _decided(question: Question) -> Verdict:
-    """The verdict; where it is open, a variant of the question may do."""
-    evident = contradiction(question, effort=0)
-    if evident is not None:
-        return evident
-    try:
-        verdict = decide_problem(question.problem, question.own, search=question.search)
-    except OutOfTime:
-        if remaining() <= 0:
-            raise
-        return Undecided("it is too large for the work that was allowed")
-    if isinstance(verdict, Undecided):
-        impossible = contradiction(question)
-        if impossible is not None:
-            return impossible
-        write = question.search.write
-        for variant, problem in question.variants():
-            blind = replace(question.search, blind=True, write=write and partial(write, variant=variant))
-            again = decide_problem(problem, question.own, search=blind)
-            if isinstance(again, Holds | HoldsUnder):
-                return again
-    return verdict
+    check(verdict, asked)

@@ -11,9 +11,10 @@ from typing import Any
 
 from chasles.compiling.depth import at_any_depth
 from chasles.compiling.derived import derived_from
+from chasles.compiling.inputs import inputs_of, require_kernel_name
 from chasles.compiling.kernel import CompiledKernel, kernel_for
-from chasles.compiling.operands import inputs_of, outputs_of, require_kernel_name
 from chasles.compiling.recall import key_of
+from chasles.compiling.results import outputs_of
 from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
 

@@ -12,7 +12,8 @@ from dataclasses import replace as with_fields
 from typing import Any
 
 from chasles.compiling.derivatives import Sums, derivatives, pulled_back, pushed_forward
-from chasles.compiling.operands import Input, ResultEntries, require_order, require_room, variables_in
+from chasles.compiling.inputs import Input, require_order, require_room, variables_in
+from chasles.compiling.results import ResultEntries
 from chasles.lowering.builder import Builder
 from chasles.lowering.names import Names
 from chasles.lowering.program import Argument, Pattern, Program, Result

@@ -5,22 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
-from hashlib import sha256
 from inspect import cleandoc
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from warnings import warn
 
 import numpy
 
-from chasles import kernels
-from chasles.compiling.compiler import CompilerFailed, found
 from chasles.compiling.packing import packing_of
 from chasles.compiling.recall import Sources, recalled
-from chasles.compiling.store import loaded
+from chasles.compiling.shared_objects import compiled, sources_of_program
 from chasles.display import Displayed
-from chasles.kernels.chapter import functions_of
 from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
 
@@ -104,8 +99,8 @@ class CompiledKernel(Displayed):
         """Once there are many, single precision is compiled, too; until then it is computed in double and rounded."""
         self._singles += many
         if self._singles >= MANY_SINGLES:
-            ufunc, one = _compiled(
-                self.program, *_sources_of(self.program, narrowed=False), self.__doc__ or "", self._levels
+            ufunc, one = compiled(
+                self.program, *sources_of_program(self.program, narrowed=False), self.__doc__ or "", self._levels
             )
             self._take(ufunc or self.ufunc, one or self.one)
 
@@ -184,7 +179,7 @@ def kernel_of(program: Program, levels: str = "own") -> CompiledKernel:
     The `levels` are those of `chasles.compile`. A compiler that fails is warned of. Raises `LoweringError` where no
     target can spell the program.
     """
-    return _kernel(program, *_sources_of(program), levels)
+    return _kernel(program, *sources_of_program(program), levels)
 
 
 def kernel_for(key: str, make: Callable[[], Program], levels: str = "own") -> CompiledKernel:
@@ -193,7 +188,7 @@ def kernel_for(key: str, make: Callable[[], Program], levels: str = "own") -> Co
 
     def made() -> tuple[Program, Sources]:
         program = make()
-        sources, texts = _sources_of(program)
+        sources, texts = sources_of_program(program)
         files.update(texts)
         return program, sources
 
@@ -202,35 +197,8 @@ def kernel_for(key: str, make: Callable[[], Program], levels: str = "own") -> Co
 
 def _kernel(program: Program, sources: Sources, files: dict[str, str], levels: str) -> CompiledKernel:
     written = _WrittenOut(program.name, sources.numpy)
-    ufunc, one = _compiled(program, sources, files, written.__doc__ or "", levels)
+    ufunc, one = compiled(program, sources, files, written.__doc__ or "", levels)
     return CompiledKernel(program, sources, ufunc, one, written, levels)
-
-
-def _sources_of(program: Program, *, narrowed: bool = True) -> tuple[Sources, dict[str, str]]:
-    # What is kept needs no languages: they are imported where texts are written.
-    from chasles.compiling.sources import sources_of
-
-    return sources_of(program, narrowed=narrowed)
-
-
-def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: str, levels: str) -> tuple[Any, Any]:
-    """The ufunc of the compiled program and its light function; None where nothing compiles or nothing makes these."""
-    compiler = found(kernels.instructions, alone=levels == "own") if kernels.make_ufunc is not None else None
-    if compiler is None or not sources.paths:
-        return None, None
-
-    def made(folder: Path) -> Path:
-        return compiler.shared_object(files or _sources_of(program)[1], folder)
-
-    try:
-        library = loaded(sha256(repr((compiler.key, sources.digest)).encode()).hexdigest(), made)
-    except (CompilerFailed, OSError) as error:
-        warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=5)
-        return None, None
-    packing = packing_of(program)
-    inner = program if packing is None else packing.program
-    names = ([item.name for item in items] for items in (inner.arguments, inner.results))
-    return functions_of(library, 0, program.name, doc, sources.packed, *names)
 
 
 class _WrittenOut:

@@ -19,9 +19,10 @@ from sympy.physics.mechanics import KanesMethod, LagrangesMethod, dynamicsymbols
 
 from chasles.compiling.derived import derived_from
 from chasles.compiling.elimination import solved, solved_definite
-from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.inputs import inputs_of
 from chasles.compiling.program_of import program_of
 from chasles.compiling.recall import key_of
+from chasles.compiling.results import outputs_of
 from chasles.compiling.variables import Substitution, variables_of
 from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder

@@ -10,9 +10,10 @@ import sympy
 
 from chasles.algebra.work_limit import within
 from chasles.compiling.derived import DerivedResults
+from chasles.compiling.inputs import Input
 from chasles.compiling.nesting import nested
-from chasles.compiling.operands import Input, ResultEntries
 from chasles.compiling.removable import without_removable
+from chasles.compiling.results import ResultEntries
 from chasles.compiling.rewriting import in_known_functions
 from chasles.compiling.scalars import Scalars
 from chasles.compiling.sharing import common as common_in

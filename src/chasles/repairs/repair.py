@@ -17,6 +17,7 @@ from chasles.deciding import decided
 from chasles.display import Displayed
 from chasles.repairs.any_size import NearestAtNumbers, differs_at_sizes, nearest_at_numbers
 from chasles.repairs.candidates import Nearest, given_sides
+from chasles.repairs.dependents import not_resting_on, resting_on, says_something, users_of
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import ORTHOGONAL, Ranking
 from chasles.repairs.well_formed import WellFormedRepair, fitting
@@ -78,9 +79,9 @@ def repair(
         sides = given_sides(statement, accepted)
     except TypeError:
         return ()
-    claims = tuple(other for other in context if isinstance(other, Claim) and _says_something(other))
+    claims = tuple(other for other in context if isinstance(other, Claim) and says_something(other))
     if isinstance(statement, Claim):
-        claims = _not_resting_on(statement, claims)
+        claims = not_resting_on(statement, claims)
     near = Nearest(statement, accepted, sides, claims, undecided)
     found: list[Repair] = []
     with suppress(OutOfTime), within(effort):
@@ -96,8 +97,8 @@ def claims_of(statement: Statement, repair: Repair, context: Iterable[Statement]
     meant = statement.saying(repair.left, repair.right)
     if not isinstance(statement, Definition):
         return [[meant]]
-    users = _users(statement, (claim for claim in context if isinstance(claim, Claim)))
-    return [[_with(meant, user) for user in users if user.number == number] for number in repair.by]
+    users = users_of(statement, (claim for claim in context if isinstance(claim, Claim)))
+    return [[resting_on(meant, user) for user in users if user.number == number] for number in repair.by]
 
 
 def _of_claim(near: Nearest) -> Iterator[Repair]:
@@ -217,14 +218,14 @@ def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
 def _of_definition(near: Nearest) -> Iterator[Repair]:
     """What a definition that does not fit together was meant to be: that with which claims that rest on it hold."""
     statement = near.statement
-    users = _users(statement, near.context)
+    users = users_of(statement, near.context)
     if not statement.fault or not users:
         return
     found = False
     for group in _fitting(near):
         for each in group:
             meant = statement.saying(each.left, each.right)
-            decided_of = ((user.number, _verdict(near, _with(meant, user))) for user in users)
+            decided_of = ((user.number, _verdict(near, resting_on(meant, user))) for user in users)
             verdicts = {number: verdict for number, verdict in decided_of if verdict is not None}
             if verdicts:
                 found = True
@@ -233,34 +234,3 @@ def _of_definition(near: Nearest) -> Iterator[Repair]:
                 yield Repair(each.left, each.right, each.words, edits, verdict, by=by, marks=edits)
         if found:
             return
-
-
-def _users(statement: Statement, claims: Iterable[Claim]) -> list[Claim]:
-    """The claims that rest on a definition."""
-    return [claim for claim in claims if any(_equivalent(statement, given) for given in claim.given)]
-
-
-def _with(meant: Statement, user: Claim) -> Statement:
-    """A claim, resting on what was meant."""
-    given = tuple(meant if _equivalent(meant, other) else other for other in user.given)
-    return with_fields(user.saying(*default_sides(user)), given=given)
-
-
-def _says_something(claim: Claim) -> bool:
-    return not claim.fault or claim.form_exists("reading") or claim.form_exists("corrected")
-
-
-def _not_resting_on(statement: Statement, claims: tuple[Claim, ...]) -> tuple[Claim, ...]:
-    """The claims that say something of their own: the standing of the others cannot be asked for yet."""
-    known: dict[int, bool] = {}
-
-    def rests(one: Statement) -> bool:
-        if id(one) not in known:
-            known[id(one)] = _equivalent(one, statement) or any(map(rests, one.given))
-        return known[id(one)]
-
-    return tuple(claim for claim in claims if not rests(claim))
-
-
-def _equivalent(one: Statement, other: Statement) -> bool:
-    return (one.number, one.part) == (other.number, other.part)

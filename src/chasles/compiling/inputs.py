@@ -1,4 +1,4 @@
-"""What goes in and what comes out? Arrays of real numbers, each entry of an input a symbol of its own."""
+"""What goes in? Arrays of real numbers, each entry a symbol of its own."""
 
 from __future__ import annotations
 
@@ -10,14 +10,13 @@ from keyword import iskeyword
 from math import prod
 from typing import Any
 
-import numpy
 import sympy
 from sympy.core.function import UndefinedFunction
 
 from chasles.compiling.identifiers import name_of_group
-from chasles.compiling.inverses import explicit, without_inverses
+from chasles.compiling.inverses import explicit
 from chasles.compiling.scalars import shown
-from chasles.compiling.variables import Substitution, carried_out, correspondence, is_variable
+from chasles.compiling.variables import is_variable
 from chasles.kernels.signatures import OPTIONS
 from chasles.lowering.names import Names
 from chasles.lowering.program import MOST_ENTRIES, Argument
@@ -41,15 +40,6 @@ class Input:
     def identity(self) -> tuple[Argument, list[str]]:
         """What a program depends on: the argument, and the names of the symbols."""
         return self.argument, [symbol.name for symbol in self.symbols]
-
-
-@dataclass(frozen=True, slots=True)
-class ResultEntries:
-    """A result: its name, its core shape and its entries, row-major."""
-
-    name: str
-    shape: tuple[int, ...]
-    entries: tuple[sympy.Expr, ...]
 
 
 def inputs_of(given: Any) -> tuple[Input, ...]:
@@ -84,29 +74,6 @@ def inputs_of(given: Any) -> tuple[Input, ...]:
     if not found:
         raise LoweringError("inputs is empty: name at least one symbol")
     return tuple(found)
-
-
-def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[ResultEntries, ...]:
-    """The results, in symbols that stand for entries of inputs; one for each item of a list or tuple.
-
-    Raises `LoweringError` for a free symbol that is no input, and where the names are not as many as the results.
-    """
-    several = isinstance(expression, list | tuple | sympy.Tuple)
-    values = [_value(item) for item in (expression if several else (expression,))]
-    if not values:
-        raise LoweringError("there is nothing to compile: the list of expressions is empty")
-    called = _names(names, len(values))
-    known: dict[sympy.Basic, sympy.Basic] = {}
-    for item in given:
-        known |= dict(zip(item.entries, item.symbols, strict=True))
-        if item.whole is not None:
-            known[item.whole] = sympy.ImmutableDenseMatrix(*item.whole.shape, item.symbols)
-    parts = [_entries(value) for value in values]
-    standing = Substitution(correspondence((entry for _, entries in parts for entry in entries), known))
-    return tuple(
-        ResultEntries(name, shape, tuple(map(standing.of, entries)))
-        for name, (shape, entries) in zip(called, parts, strict=True)
-    )
 
 
 def require_order(given: Any, what: str) -> None:
@@ -154,8 +121,8 @@ def _read(item: Any) -> tuple[str, tuple[sympy.Expr, ...], tuple[int, ...], symp
     if isinstance(item, sympy.IndexedBase):
         item = _entries_of(item)
     elif whole is not None:
-        item = _explicit(whole)
-    shape, entries = (_core(item.shape), tuple(item)) if isinstance(item, sympy.MatrixBase) else ((), (item,))
+        item = entries_of_matrix(whole)
+    shape, entries = (core_shape(item.shape), tuple(item)) if isinstance(item, sympy.MatrixBase) else ((), (item,))
     for entry in entries:
         if isinstance(entry, UndefinedFunction):
             raise LoweringError(f"the function {entry} is no input: give its value, as {entry}(t)")
@@ -187,58 +154,7 @@ def _meaning(name: str, shape: tuple[int, ...], entries: Sequence[sympy.Expr], w
     return f"{extents}: {said}" if whole is None and said != name and PLAIN.fullmatch(said) else extents
 
 
-def _names(names: Any, count: int) -> tuple[str, ...]:
-    if names is None:
-        return ("result",) if count == 1 else tuple(f"result_{k}" for k in range(1, count + 1))
-    require_order(names, "outputs")
-    found = (names,) if isinstance(names, str) else tuple(names)
-    if len(found) != count:
-        raise LoweringError(f"outputs names {len(found)} results, and there are {count} expressions")
-    if len(set(found)) != count:
-        raise LoweringError("two results have one name: give each its own in outputs")
-    return tuple(require_name(name, "the output") for name in found)
-
-
-def _value(item: Any) -> Any:
-    """The expression as SymPy holds it: a scalar, or a matrix."""
-    if isinstance(item, str):
-        raise LoweringError(f"the expression {item!r} is a text; give it as SymPy expression")
-    if isinstance(item, list | numpy.ndarray):
-        item = _array(item)
-    if isinstance(item, sympy.NDimArray):
-        if item.rank() > 2:
-            raise LoweringError(f"an output has {item.rank()} axes; scalars, vectors and matrices are computed")
-        return sympy.Matrix(item) if item.rank() else item[()]
-    try:
-        value = sympy.sympify(item, strict=True)
-    except sympy.SympifyError:
-        if hasattr(item, "to_matrix"):
-            raise LoweringError(f"{shown(item)} has components in a frame: give them, as .to_matrix(frame)") from None
-        raise LoweringError(f"{item!r} is no SymPy expression") from None
-    value = value.as_expr() if isinstance(value, sympy.Poly) else value
-    if not isinstance(value, sympy.Expr | sympy.MatrixBase | sympy.MatrixExpr | sympy.logic.boolalg.Boolean):
-        raise LoweringError(f"{shown(value)} is no scalar and no matrix ({type(value).__name__})")
-    return value
-
-
-def _array(item: Any) -> sympy.NDimArray:
-    """Nested lists, or an array of NumPy, as an array of expressions."""
-    leaves = numpy.array(item, dtype=object)
-    values = [None if isinstance(leaf, list) else _value(leaf) for leaf in leaves.flat]
-    if not all(isinstance(value, sympy.Expr) for value in values):
-        raise LoweringError(f"{item!r} is no array of expressions")
-    return sympy.Array(values, leaves.shape)
-
-
-def _entries(value: Any) -> tuple[tuple[int, ...], tuple[sympy.Expr, ...]]:
-    """The core shape of an expression, and its entries."""
-    if not isinstance(value, sympy.MatrixBase | sympy.MatrixExpr):
-        return (), tuple(carried_out([without_inverses(value)]))
-    value = _explicit(value) if isinstance(value, sympy.MatrixExpr) else value
-    return _core(value.shape), tuple(carried_out(map(sympy.sympify, value)))
-
-
-def _explicit(value: Any) -> Any:
+def entries_of_matrix(value: Any) -> Any:
     """The matrix in its entries."""
     if not all(getattr(extent, "is_Integer", False) or isinstance(extent, int) for extent in value.shape):
         raise LoweringError(f"{shown(value)} has the shape {value.shape}: extents must be numbers")
@@ -246,7 +162,7 @@ def _explicit(value: Any) -> Any:
     return explicit(value)
 
 
-def _core(shape: tuple[Any, ...]) -> tuple[int, ...]:
+def core_shape(shape: tuple[Any, ...]) -> tuple[int, ...]:
     """() for one entry, one axis for a row or a column, else two."""
     rows, columns = map(int, shape)
     if rows * columns == 0:
