@@ -12,7 +12,7 @@ from sympy import Abs, Eq, Rational, acos, asin, atan, atan2, cos, cosh, exp, lo
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.expressions.enclosed import BITS
 from chasles.checker.sparse import Rejected
-from chasles.from_sympy import splitting
+from chasles.from_sympy import proof_by_cases
 from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import opened
 from chasles.from_sympy.sampling import Sampling
@@ -131,5 +131,5 @@ def test_what_is_looked_at_case_by_case_and_point_by_point_is_counted(monkeypatc
         Values().into([(((0, k),), Fraction(1)) for k in range(1_000)])
     question = sp.Max(x, y) + sp.Min(x, y), x + y
     assert prove(*question).true
-    monkeypatch.setattr(splitting, "MOST_PARTS", 10)
+    monkeypatch.setattr(proof_by_cases, "MOST_PARTS", 10)
     assert prove(*question).name == "undecided"

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -15,26 +14,22 @@ from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.defined_functions import VALUED
 from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
 from chasles.checker.expressions.readings import at_integer
-from chasles.checker.expressions.switches import deciding
-from chasles.checker.expressions.widened import holds_throughout, put, said_need
-from chasles.checker.sparse import Rejected
+from chasles.checker.expressions.widened import put
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.by_squares import by_squares
 from chasles.from_sympy.complex_symbols import taken_as_real
 from chasles.from_sympy.complexes import RealParts, in_rows
-from chasles.from_sympy.defined import Pairs, WithoutDefined, values_put_in
-from chasles.from_sympy.generalising import Decide, generalised
+from chasles.from_sympy.defined import values_put_in
+from chasles.from_sympy.generalising import Decide
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
+from chasles.from_sympy.proof_by_cases import ProofByCases, read_need
 from chasles.from_sympy.remainders import modulus_of
 from chasles.from_sympy.sampling import Sampling, exactly
 from chasles.from_sympy.side_conditions import listed, nonvanishing
 from chasles.from_sympy.thresholds import thresholds
-from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import proved
 from chasles.verdict import Counterexample, Fails, Undecided, Verdict
 
-MOST, MOST_PARTS = 100, 2_500
-"""So many cases are looked at, and so many parts of expressions in these."""
 UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, *VALUED)
 
 
@@ -47,7 +42,6 @@ class Splitting:
     given: Any
     nonzero: Any
     decide: Decide
-    needs: dict[str, None] = field(default_factory=dict)
     possible: bool = field(init=False)
     _rows: int = field(init=False)
     _left: Entries = field(init=False)
@@ -55,10 +49,7 @@ class Splitting:
     _whole: CheckedCase = field(init=False)
     _texts: list[str] = field(init=False)
     _met: tuple[Any, ...] = field(init=False)
-    _cases: int = 0
-    _parts: int = 0
-    _refused: Untreatable | None = None
-    _less: WithoutDefined | None = None
+    _proof: ProofByCases = field(init=False)
 
     def __post_init__(self) -> None:
         self._left, self._right = opened(self.lhs, "the left side"), opened(self.rhs, "the right side")
@@ -73,6 +64,7 @@ class Splitting:
         pairs = tuple(found for what, item in items for pair in sides(item, what) for found in parts.pairs(*pair))
         self._whole = CheckedCase(sides_, pairs, declared)
         self._met = tuple(parts.met)
+        self._proof = ProofByCases(self.decide, self._whole.names)
         known = QuantityNames()
         for atom in (atom for e in self._whole.spoken for atom in atoms_of(e)):
             known.word(atom)
@@ -104,116 +96,42 @@ class Splitting:
 
     def verdict(self, refuting: bool = True) -> Verdict:
         """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
-        whole = self._whole
+        whole, proof = self._whole, self._proof
         still = not any(e.has(AppliedUndef) for pair in whole.pairs for e in pair)
         sampling = Sampling(self._left, self._right, self._rows, whole.pairs, whole.nonzero, self._met, still)
-        self.needs |= dict.fromkeys(taken_as_real((self.lhs, self.rhs, self.given, self.nonzero)))
-        self.needs |= dict.fromkeys(ways[0] for ways in whole.required())
-        whole, before = whole.each(partial(at_integer, put={})), {**self.needs}
+        proof.needs |= dict.fromkeys(taken_as_real((self.lhs, self.rhs, self.given, self.nonzero)))
+        proof.needs |= dict.fromkeys(ways[0] for ways in whole.required())
+        whole, before = whole.each(partial(at_integer, put={})), {**proof.needs}
         switched = self._switched()
-        tree = self._proved(whole) if switched else self._decided(whole)
+        tree = proof.of(whole) if switched else proof.decided(whole)
         if tree is None and not switched and whole.switches():
-            tree = self._proved(whole)
+            tree = proof.of(whole)
         found = None if tree or not refuting else sampling.counterexample() or self._refuted()
         if tree is None and found is None:
-            self.needs, factors = {**before}, thresholds(whole)
-            tree = self._proved(whole, factors) if factors else None
+            proof.needs, factors = {**before}, thresholds(whole)
+            tree = proof.of(whole, factors) if factors else None
         if tree is None and found is None and whole.switches():
-            self.needs, self.decide = {**before}, by_squares(self.decide)
-            tree = self._proved(whole, named=True)
+            proof.needs, proof.decide = {**before}, by_squares(proof.decide)
+            tree = proof.of(whole, named=True)
         if tree is None:
-            if found is None and self._refused is not None:
-                raise self._refused
+            if found is None and proof.refused is not None:
+                raise proof.refused
             return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
-        said_needs = [need for text in self.needs if (need := self._read(text, self._whole))]
+        said_needs = [need for text in proof.needs if (need := read_need(text, self._whole))]
         apart = (*whole.nonzero, *(e for e, relation in said_needs if relation != ">="))
         real = (*self._met, *(sympy.sqrt(e) for e, relation in said_needs if relation != "!="))
         sampling = Sampling(self._left, self._right, self._rows, whole.pairs, apart, real, still)
         witness = self._witness(sampling)
         if witness is None:
             return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
-        needs = (*self._texts, *self.needs)
+        needs = (*self._texts, *proof.needs)
         said = {str(name): str(value) for name, value in witness.items()}
         certificate = {**tree, "witness": said}
         return proved(tuple(needs), certificate, witness)
 
-    def _proved(
-        self, case: CheckedCase, factors: Sequence[Any] | None = None, named: bool = False
-    ) -> Mapping[str, Any] | None:
-        """The certificates of a case's cases; None if one is not proved.
-
-        The cases are those of the signs of some factors, one after the other, or of what decides the forms, the size
-        of which is `named` in equations, too.
-        """
-        if case.lost:
-            self.needs[case.lost] = None
-        if case.lost or case.impossible:
-            return {"impossible": True}
-        case = case.settled()
-        if case.impossible:
-            return {"impossible": True}
-        if case.undefined:
-            if not case.zeros:
-                return None
-            self.needs[f"{case.zeros[-1]} != 0"] = None
-            return {"impossible": True}
-        turning = modulus_of(case.spoken)
-        if turning:
-            by = str(turning[0]), turning[1], self._fresh("k")
-            by_remainder = self._each(case.split_by_remainder(*by), factors, named)
-            return by_remainder and {"remainders": [*by], **by_remainder}
-        open_ = case.switches()
-        here = sorted((sympy.expand(case.here(e)) for e in factors or ()), key=lambda e: len(e.free_symbols))
-        claimed = [part.args[0] for part in open_ if named and isinstance(part, sympy.Abs | sympy.sign)]
-        said = claimed or (deciding(open_) if factors is None else here)
-        factor = next((e for e in said if case.sign(e) is None), None) if open_ else None
-        if factor is None:
-            return self._decided(case) if factors is None or not open_ else None
-        size = self._fresh("d")
-        by_sign = self._each(case.split(factor, size, named), factors, named)
-        return by_sign and {"on": str(factor), "size": size, **({"named": True} if named else {}), **by_sign}
-
-    def _each(
-        self, cases: Mapping[str, CheckedCase], factors: Sequence[Any] | None, named: bool
-    ) -> dict[str, Any] | None:
-        """The certificates of some cases by their names; None if one is not proved, or there are too many."""
-        self._cases += len(cases) - 1
-        self._parts += sum(1 for case in cases.values() for e in case.spoken for _ in sympy.preorder_traversal(e))
-        if self._cases > MOST or self._parts > MOST_PARTS:
-            return None
-        parts: dict[str, Any] = {}
-        for name, case in cases.items():
-            found = self._proved(case, factors, named)
-            if found is None:
-                return None
-            parts[name] = found
-        return {"cases": parts}
-
-    def _fresh(self, letter: str) -> str:
-        self._cases += 1
-        number = self._cases
-        while f"{letter}_{number}" in self._whole.names:
-            number += MOST
-        return f"{letter}_{number}"
-
-    def _decided(self, case: CheckedCase) -> Mapping[str, Any] | None:
-        self.needs |= dict.fromkeys(ways[0] for ways in case.required_inside())
-        spoken = [*case.sides[0], *case.sides[1], *case.nonzero]
-        given = [*case.pairs, *((e, sympy.S.Zero) for e in case.equations)]
-        less = values_put_in(spoken, given)
-        moving = any(isinstance(atom, AppliedUndef) for atom in less.values)
-        # What moves is proved where it has its value first: the witness is then a point of a motion.
-        found = None if moving else self._generalised(case, spoken, given)
-        if found is None and less.values:
-            found = self._generalised(case, less.spoken, less.given)
-            if found is not None:
-                found["defined"] = [list(place) for place in less.places]
-                self._less = less if not case.meant else None
-        return self._generalised(case, spoken, given) if found is None and moving else found
-
     def _witness(self, sampling: Sampling) -> Mapping[str, Any] | None:
         """A point at which all conditions hold; what is defined has its value there, and so have its rates."""
-        less = self._less
+        less = self._proof.less
         if less is None:
             return sampling.point()
         everything = {atom: atom for e in self._whole.spoken for atom in atoms_of(e)}
@@ -239,30 +157,3 @@ class Splitting:
         left, right = (in_rows(side[:count], self._left) for side in said)
         met = said[0][count:]
         return Sampling(left, right, self._rows, less.given, less.spoken[2 * size :], met).counterexample()
-
-    def _generalised(self, case: CheckedCase, spoken: list[Any], given: Pairs) -> dict[str, Any] | None:
-        """The certificate of a case with these sides and scalars that do not vanish, and this given."""
-        size = len(case.sides[0])
-        try:
-            proved = generalised(spoken[:size], spoken[size : 2 * size], given, spoken[2 * size :], self.decide)
-        except Untreatable as error:
-            self._refused = self._refused or error
-            return None
-        return {**proved.certificate} if proved and all(self._need(case, text) for text in proved.needs) else None
-
-    def _need(self, case: CheckedCase, text: str) -> bool:
-        """State a need of a case in the symbols of the question, unless it holds throughout the case."""
-        need = self._read(text, case)
-        if need is None:
-            return False
-        if holds_throughout(case, *need, self.needs) is None:
-            said, relation = need
-            in_question = not said.free_symbols & {symbol for symbol, _ in case.meant}
-            self.needs[text if in_question else f"{case.back(said)} {relation} 0"] = None
-        return True
-
-    def _read(self, text: str, case: CheckedCase) -> tuple[Any, str] | None:
-        """What a need speaks of and what it says of that; None for one that is not read."""
-        with suppress(Rejected, sympy.SympifyError, TypeError):
-            return said_need(text, case.named)
-        return None
