@@ -304,7 +304,7 @@ def test_symbols_of_one_name_are_told_apart():
     positive = sp.Symbol("x", positive=True)
     assert chasles.compile(x - positive, (x, positive))(5.0, 1.0) == 4.0
     assert chasles.compile(positive, x)(2.0) == 2.0
-    with pytest.raises(LoweringError, match="x is the name of variables that only assumptions tell apart"):
+    with pytest.raises(LoweringError, match="x is the name of variables that differ only in their assumptions"):
         chasles.compile(x + positive, x)
 
 

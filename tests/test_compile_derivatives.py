@@ -201,8 +201,8 @@ def test_derivatives_of_what_does_not_change_are_none():
 
 
 REFUSED = [
-    (x, [x], {"wrt": x}, "wrt says by what to derive: ask for jacobian=True"),
-    (x, [x], {"coo": True}, "coo=True is said of matrices"),
+    (x, [x], {"wrt": x}, "wrt is for derivatives: ask for jacobian=True"),
+    (x, [x], {"coo": True}, "coo=True is for matrices"),
     (x, [x], {"jacobian": True, "wrt": y}, "wrt names y, which is not among the inputs: x"),
     (x, {"q": v, "x": x}, {"vjp": True, "wrt": ["r"]}, "wrt names r, which is not among the inputs: q, x"),
     (x, [x], {"jacobian": True, "wrt": []}, "wrt is empty"),
@@ -229,7 +229,7 @@ def test_what_is_refused(expression, inputs, options, said, in_numpy):
 
 
 def test_names_that_are_taken(in_numpy):
-    with pytest.raises(ValueError, match="two results would be called f_jacobian: say other names"):
+    with pytest.raises(ValueError, match="two results would be called f_jacobian: give other names"):
         chasles.compile([x, y], [x, y], ["f", "f_jacobian"], jacobian=True)
     kernel = chasles.compile(x, {"tangent": x}, jvp=True)
     assert list(kernel.inputs) == ["tangent", "tangent_"]

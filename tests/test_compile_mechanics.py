@@ -388,9 +388,9 @@ def test_accelerations_are_differentiated_by_all_that_goes_in(name):
 def test_a_matrix_that_is_singular_as_it_stands_is_refused():
     build = Builder()
     x = build.input(0, 0)
-    with pytest.raises(LoweringError, match="singular whatever its entries are: of a method ask for outputs="):
+    with pytest.raises(LoweringError, match="singular whatever its entries are: for a method ask for outputs="):
         solved(build, [[x, build.zero], [x, build.zero]], [[x], [x]])
-    with pytest.raises(LoweringError, match="singular whatever its entries are: of a method ask for outputs="):
+    with pytest.raises(LoweringError, match="singular whatever its entries are: for a method ask for outputs="):
         solved_definite(build, [[x, build.zero], [build.zero, build.zero]], [x, x])
 
 

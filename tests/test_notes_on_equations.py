@@ -120,9 +120,9 @@ def test_a_person_says_what_is_defined() -> None:
         ("'4' = { given = ['17'] }", "[equations] '4' given '17': expected an equation, and no relation stands in it"),
         ("'4' = { given = ['1/7'] }", "[equations] '4' given '1/7'"),
         (r"'4' = { given = ['a < b'] }", "< is no sign of an equation"),
-        ("'4' = { of = 'c' }", "[equations] '4' of: only a definition is of something: say role = 'definition'"),
+        ("'4' = { of = 'c' }", "[equations] '4' of: 'of' belongs to a definition: say role = 'definition'"),
         (r"'1' = { role = 'definition', of = 'a \times b' }", "expected a letter alone"),
-        ("'1' = { role = 'definition', of = 'x' }", "[equations] '1' of 'x': it stands alone on no side"),
+        ("'1' = { role = 'definition', of = 'x' }", "[equations] '1' of 'x': it is alone on neither side"),
     ],
 )
 def test_what_cannot_be_said_of_an_equation(note: str, said: str) -> None:
@@ -141,5 +141,5 @@ def test_a_file_on_the_letters_of_a_module() -> None:
 
 
 def test_a_reading_is_of_a_whole_equation() -> None:
-    with pytest.raises(BadNotation, match=re.escape("[equations] '1/1': say the reading of all of '1'")):
+    with pytest.raises(BadNotation, match=re.escape("[equations] '1/1': give one reading for the whole of '1'")):
         verdicts("'1/1' = { reading = 'c = a' }")

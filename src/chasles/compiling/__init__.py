@@ -70,7 +70,7 @@ def compile(
             times the tangent, in the shape of the result.
         vjp: adds an input `..._cotangent` for each result, of its shape, and one result, with one number for each
             column: the sum of cotangents times Jacobians.
-        wrt: what is derived by instead of all inputs: the name of one, what is in one, or a list of such.
+        wrt: what to differentiate by instead of all inputs: the name of one, what is in one, or a list of such.
         coo: of Jacobians and Hessians only the entries that are not zero by construction, as a vector, in the order of
             the kernel's `pattern`.
         levels: "own" compiles for the instructions of this machine, "all" for lesser ones, too, so that

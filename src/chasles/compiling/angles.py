@@ -36,7 +36,7 @@ KEPT = 2**15
 def parts_of(expression: sympy.Basic, others: Collection[sympy.Basic]) -> dict[sympy.Basic, None]:
     """The different parts of an expression, as they come, without the others and what is in them.
 
-    SymPy's own ways to look for parts take a time that grows with the tree, in which what is shared stands many times.
+    SymPy's own ways to look for parts take a time that grows with the tree, in which what is shared occurs many times.
     """
     found: dict[sympy.Basic, None] = {}
     waiting = [expression]

@@ -183,6 +183,6 @@ def _run(command: Sequence[str], folder: Path | None = None) -> str:
         lines = done.stderr.strip().splitlines()
         said = next((line for line in lines if "error" in line), lines[0] if lines else "it says nothing")
         if _OUT_OF_TIME.search(f"{done.returncode} {done.stderr}"):
-            said = f"it was ended after {_PATIENCE} seconds of processor time"
+            said = f"it was stopped after {_PATIENCE} seconds of processor time"
         raise CompilerFailed(f"{shlex.join(command)}: exit status {done.returncode}: {said}")
     return done.stdout

@@ -43,7 +43,7 @@ def pushed_forward(build: Builder, entries: Sequence[int], tangents: Mapping[int
 def pulled_back(
     build: Builder, seeds: Mapping[int, Sums[Key]], variables: Sequence[int], rates: Rates | None = None
 ) -> list[Sums[Key]]:
-    """For each variable the sums over entries of what stands before them in the seeds times their derivatives by it."""
+    """For each variable the sums over entries of their factors in the seeds times their derivatives by it."""
     rates = rates_of(build, tuple(seeds), variables) if rates is None else rates
     chosen = _below_choices(build, rates)
     by = _forward(build, {k: rates[k] for k in rates if k in chosen}, {v: {v: build.one} for v in variables})

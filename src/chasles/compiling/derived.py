@@ -1,6 +1,6 @@
 """Which derivatives come after the results, by what, and in which shape? Each kind adds results to a program.
 
-Columns stand for the variables by which is derived, in the order asked for, rows for the entries of a result.
+Columns are the variables of differentiation, in the order asked for, rows the entries of a result.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class DerivedResults:
         found = [*results, *(each for kind in self.kinds for each in made[kind](build, results, variables))]
         twice = {a.name for k, a in enumerate(found) for b in found[:k] if a.name == b.name}
         if twice:
-            raise LoweringError(f"two results would be called {min(twice)}: say other names in outputs")
+            raise LoweringError(f"two results would be called {min(twice)}: give other names in outputs")
         return found
 
     def _jacobians(self, build: Builder, results: Sequence[Result], variables: Sequence[int]) -> Iterator[Result]:
@@ -125,9 +125,9 @@ def derived_from(
     """
     kinds = tuple(kinds)
     if wrt is not None and not kinds:
-        raise LoweringError("wrt says by what to derive: ask for jacobian=True, hessian=True, jvp=True or vjp=True")
+        raise LoweringError("wrt is for derivatives: ask for jacobian=True, hessian=True, jvp=True or vjp=True")
     if coo and not set(kinds) & set(MATRICES):
-        raise LoweringError("coo=True is said of matrices: ask for jacobian=True or hessian=True, too")
+        raise LoweringError("coo=True is for matrices: ask for jacobian=True or hessian=True, too")
     places = {entry: (k, n) for k, item in enumerate(given) for n, entry in enumerate(item.entries)}
     by = tuple(places.values()) if wrt is None else tuple(_chosen(given, places, wrt))
     if len(set(by)) < len(by):
@@ -155,7 +155,7 @@ def _chosen(given: Sequence[Input], places: Mapping[Any, tuple[int, int]], wrt: 
     several = isinstance(wrt, list | tuple)
     require_order(wrt, "wrt")
     if several and not wrt:
-        raise LoweringError("wrt is empty: name what to derive by, or leave it out to derive by all inputs")
+        raise LoweringError("wrt is empty: name what to differentiate by, or leave it out for all inputs")
     for item in wrt if several else (wrt,):
         if isinstance(item, str) and item in whole:
             yield from whole[item]

@@ -132,7 +132,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
 
 
 def _leg(build: Builder, a: int) -> int:
-    """The root of 1 - a^2, in factors, which lose nothing near 1; of 1 - b and b - 1 one of them is b as it stands."""
+    """The root of 1 - a^2, in factors, which lose nothing near 1; of 1 - b and b - 1 one of them is b as it is."""
     step, less, more = build.step(a), build.subtract(build.one, a), build.add(build.one, a)
     if step.op is Op.SUBTRACT:
         less = step.operands[1] if step.operands[0] == build.one else less

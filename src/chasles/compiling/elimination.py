@@ -106,7 +106,7 @@ def _inverse(build: Builder, pivot: int) -> int:
     """The reciprocal of a pivot; NaN for zero. Raises `LoweringError` for what is always zero."""
     if pivot == build.zero:
         raise LoweringError(
-            "linear equations have no solution, as their matrix is singular whatever its entries are: of a method "
+            "linear equations have no solution, as their matrix is singular whatever its entries are: for a method "
             "ask for outputs=['mass_matrix', 'forcing']"
         )
     is_zero = build.equal(pivot, build.zero)

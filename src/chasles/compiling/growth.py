@@ -126,7 +126,7 @@ def _quotient(product: Any, far: frozenset[Any]) -> Any:
 
 
 def _of_power(above: Any, one: Any, power: Any) -> Any:
-    """What stands above over the sum of 1, or of a power, and of another power; None if it is no multiple of either."""
+    """The numerator over the sum of 1, or of a power, and of another power; None if it is no multiple of either."""
     base, exponent = power.as_base_exp()
     other, same = one.as_base_exp()
     if exponent.is_number or not (one == 1 or same == exponent):
@@ -185,7 +185,7 @@ class _Exponentials:
         return sympy.Add(*(c * self.scaled[exponent] for exponent, c in coefficients.items()))
 
     def times(self, above: Any, power: Any) -> Any:
-        """What stands above, over so many powers of the largest exponential."""
+        """The numerator, over so many powers of the largest exponential."""
         own, exponent = _split(above)
         for factor in sympy.Mul.make_args(own):
             inner = _Exponentials(factor)

@@ -23,7 +23,7 @@ from chasles.lowering.program import MOST_ENTRIES, Argument
 from chasles.lowering.refusal import LoweringError
 
 PLAIN = re.compile(r"[\w\[\](), .+-]+", re.ASCII)
-"""What may stand in a comment of any language."""
+"""What may be written in a comment of any language."""
 TAKEN = ("best_level", "block", "data", "entry", "loop", "run", "shape")
 
 
@@ -106,7 +106,7 @@ def require_name(name: Any, what: str) -> str:
 def require_kernel_name(name: Any) -> str:
     """The kernel's name; one that the C files need for themselves is refused too."""
     if name in TAKEN:
-        raise LoweringError(f"the kernel cannot be called {name!r}: what it is compiled with has that name")
+        raise LoweringError(f"the kernel cannot be called {name!r}: the C code around it uses that name")
     return require_name(name, "the kernel")
 
 

@@ -147,7 +147,7 @@ class CompiledKernel(Displayed):
         Args:
             folder: where each target gets a folder of its own; it is made where it is missing.
             targets: names of languages: "c" for C99, "cpp" for C++20, "rust" for a crate, "cuda", "jax", "torch".
-            box: inputs as for `error_bound`, whose bounds in both precisions then stand in the heads of the files.
+            box: inputs as for `error_bound`, whose bounds in both precisions are then in the heads of the files.
             license: the SPDX identifier in the first line of each file.
 
         Raises:

@@ -1,7 +1,7 @@
 """Sums of products with what they share taken out: x y + x z as x (y + z), a polynomial as Horner's scheme.
 
 Nothing is multiplied out, so that what the sum loses by rounding does not grow; what a sum shares is looked for as it
-stands.
+is written.
 """
 
 from __future__ import annotations

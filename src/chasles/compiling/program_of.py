@@ -72,7 +72,7 @@ def _chosen(stated: Program, candidates: Sequence[Program]) -> Program:
 def _candidates(
     stated: Program, outputs: Sequence[ResultEntries], spelled: Callable[..., Program]
 ) -> Iterator[Program]:
-    """The expressions as they stand, nested, with common subexpressions; functions of an angle in lowest terms, too."""
+    """The expressions as written, nested, with common subexpressions; functions of an angle in lowest terms, too."""
     yield stated
     if len(stated.steps) > MOST_STEPS:
         yield spelled(outputs, common=True)

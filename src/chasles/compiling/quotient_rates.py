@@ -21,7 +21,7 @@ Terms = dict[int, Fraction]
 Multiple = tuple[int, Fraction]
 """A step that is a number times a product, and that number."""
 _MOST_TERMS = 8
-"""Longer sums are derived as they stand."""
+"""Longer sums are differentiated as they are."""
 
 
 def rate_of_quotient(

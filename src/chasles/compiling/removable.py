@@ -3,7 +3,7 @@
 Where the angle is a root, a product or a sum it is a symbol meanwhile, and divided differences at zero are those by the
 symbol: of sine and cosine functions of Stumpff (Himmelsmechanik I, 1959), whose derivatives are sums of them, so that a
 Jacobian is as good as what it is of. What is left of other functions, such as exp, is a polynomial where the angle is
-small; elsewhere a quotient of them stays as it stands.
+small; elsewhere a quotient of them stays as it is.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from chasles.compiling.whole_angles import ANGLE, ROOT, WholeAngle
 
 LEFT = (Stumpff, TaylorPolynomial)
 NORM = sympy.Dummy("norm", dummy_index=2, nonnegative=True)
-"""What stands for an angle that is a root."""
+"""The symbol in place of an angle that is a root."""
 _ANGLES = {ANGLE, ROOT, NORM}
 
 
@@ -139,7 +139,7 @@ def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], stated: sympy.Basic
 
 
 def _of_squares(expression: Any) -> Any:
-    """The expression, near zero in functions of the squares of roots, what stands beside a case too."""
+    """The expression, near zero in functions of the squares of roots, what is beside a case too."""
     table = {}
     for product in parts_of_kinds(expression, (sympy.Mul, NearZero)):
         factors = sympy.Mul.make_args(product)

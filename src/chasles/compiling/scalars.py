@@ -1,6 +1,6 @@
 """Which steps compute a SymPy scalar? Those of its operations, one by one; what no program computes is refused by name.
 
-Symbols are real. A number that is not rational, such as pi or the root of 2, stands for its first sixty digits.
+Symbols are real. A number that is not rational, such as pi or the root of 2, is read to sixty digits.
 """
 
 from __future__ import annotations
@@ -224,7 +224,7 @@ def _refusal(expression: sympy.Basic) -> str:
     if isinstance(expression, AppliedUndef):
         return f"{said} is an unknown function: put what it is in its place, or a symbol that is an input"
     if isinstance(expression, sympy.Derivative | sympy.Integral | sympy.Sum | sympy.Product | sympy.Limit):
-        return f"{said} is not carried out ({type(expression).__name__}): call .doit() first"
+        return f"{said} is not evaluated ({type(expression).__name__}): call .doit() first"
     return f"no program computes {said} ({type(expression).__name__}); it computes {KNOWN}"
 
 

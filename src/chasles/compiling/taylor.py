@@ -1,7 +1,7 @@
 """What is left of a function once the first terms of its series at zero are taken, over the power that follows.
 
 Of sine and cosine these are the functions of Stumpff, which are computed everywhere. Of others it is a Taylor
-polynomial, which is good near zero; away from there a formula is taken as it stands.
+polynomial, which is good near zero; away from there a formula is taken as it is.
 """
 
 from __future__ import annotations

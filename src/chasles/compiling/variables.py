@@ -36,9 +36,9 @@ def is_variable(value: object) -> bool:
 def correspondence(
     expressions: Iterable[sympy.Basic], known: Mapping[sympy.Basic, sympy.Basic]
 ) -> dict[sympy.Basic, sympy.Basic]:
-    """What stands for each variable in the expressions, of what stands for the `known` ones, as these or by name.
+    """What replaces each variable in the expressions: what replaces the `known` one that it is, or whose name it has.
 
-    Raises `LoweringError` with all variables that are not known, and for two that only assumptions tell apart where the
+    Raises `LoweringError` with all variables that are not known, and for two that differ in their assumptions where the
     known ones do not.
     """
     named: dict[object, list[sympy.Basic]] = {}
@@ -56,8 +56,8 @@ def correspondence(
                 continue
             if len(same) > 1 or owners.setdefault(same[0], variable) != variable:
                 raise LoweringError(
-                    f"{variable} is the name of variables that only assumptions tell apart, and the inputs do not say "
-                    "which is meant: make them one, or give each as an input of its own"
+                    f"{variable} is the name of variables that differ only in their assumptions, and the inputs do not "
+                    "say which is meant: make them one, or give each as an input of its own"
                 )
             found[variable] = known[same[0]]
     if strays:
@@ -110,7 +110,7 @@ def _is_left(node: object) -> bool:
 
 
 class Substitution:
-    """Expressions in what stands for their variables; a part that comes again is replaced once."""
+    """Replaces variables in expressions; a part that occurs again is replaced once."""
 
     def __init__(self, table: Mapping[sympy.Basic, sympy.Basic]) -> None:
         self._table = table

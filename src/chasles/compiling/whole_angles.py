@@ -10,7 +10,7 @@ import sympy
 from chasles.compiling.variables import Substitution
 
 ANGLE, ROOT = (sympy.Dummy(name, dummy_index=k, real=True) for k, name in enumerate(("angle", "root")))
-"""What stands for the angle meanwhile, and for one that is a multiple of a root."""
+"""The symbol in place of the angle meanwhile, and that for one that is a multiple of a root."""
 
 
 class WholeAngle:

@@ -19,7 +19,7 @@ LARGEST_MULTIPLE = 10_000
 
 
 class Angles:
-    """Takes the arguments of sines and cosines apart; products of atoms become words of their own."""
+    """Splits the arguments of sines and cosines into terms; products of atoms become words of their own."""
 
     def __init__(self, atoms: QuantityNames) -> None:
         self.atoms = atoms

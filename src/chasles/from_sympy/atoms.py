@@ -34,7 +34,7 @@ class QuantityNames:
         self._arguments: dict[str, tuple[Any, ...]] = {}
 
     def word(self, atom: Any) -> Symbol:
-        """The word for an atom; raises `Untreatable` for what is not real or not told apart."""
+        """The word for an atom; raises `Untreatable` for what is not real, or has the name of another."""
         known = self.words.get(atom)
         if known is None:
             self._check(atom)

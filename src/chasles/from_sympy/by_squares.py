@@ -55,7 +55,7 @@ def _refuted_by_squares(question: Question) -> Verdict | None:
     except (OutOfTime, Untreatable, UndeclaredDivisor) as error:
         return Undecided(str(error))
     if found is None or question.search.write is None:
-        return Undecided("no squares were found that add up to what cannot be")
+        return Undecided("no sum of squares was found that contradicts what is given")
     for entry in entries:
         entry.cofactors = dict(found.cofactors)
     write = partial(question.search.write, impossible=found)

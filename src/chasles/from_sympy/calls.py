@@ -104,17 +104,17 @@ class Calls:
         return {value.function for value in self.named}
 
     def require_free(self, at: Mapping[str, Any]) -> None:
-        """A counterexample is one: nothing is given of a function of which there are several values, and they are so.
+        """A counterexample counts: functions can have its values, and of those at several arguments nothing is given.
 
         Raises `Rejected` if not.
         """
         if any(value.function in self._several for _, value in _values(_with_functions(self.given))):
-            raise Rejected("something is given of a function of which values at several places are asked")
+            raise Rejected("something is given of a function whose values at several arguments occur")
         self._places(list(self.named), at)
         self.require_apart(at)
 
     def require_apart(self, at: Mapping[str, Any]) -> None:
-        """A function has these values, told by name: they belong to different arguments, or are the same.
+        """A function can have these values, given by name: they belong to different arguments, or are the same.
 
         Raises `Rejected` unless that is seen.
         """
@@ -124,7 +124,7 @@ class Calls:
             if (one.function, one.orders) != (other.function, other.orders) or told[0] == told[1]:
                 continue
             if not any(sign_of_number(a - b) for a, b in zip(*self._places((one, other), at), strict=True)):
-                raise Rejected(f"{one.name} and {other.name} may be the same at the point")
+                raise Rejected(f"{one.name} and {other.name} may have the same arguments at the point")
 
     def _places(self, values: Sequence[Value], at: Mapping[str, Any]) -> list[list[Any]]:
         """The arguments of values at the point; what occurs in them only is a prime number, each another."""
@@ -137,7 +137,7 @@ class Calls:
             number = sympy.Integer(sympy.prime(90 + place))
             may_be = all(getattr(number, f"is_{kind}") is known for kind, known in assumed_of(atom).items())
             if str(atom) not in at and (atom in spoken or not may_be):
-                raise Rejected(f"nothing says where {atom} is at the point")
+                raise Rejected(f"the point has no value for {atom}")
             point[atom] = sympy.sympify(str(at[str(atom)])) if str(atom) in at else number
         found = [[e.xreplace(point) for e in arguments] for arguments in inside]
         if any(not (place.is_real and place.is_finite) for places in found for place in places):

@@ -1,4 +1,4 @@
-"""What was found true of a question gets its certificate: in the prover's names, for the reading of the checker."""
+"""The certificate of what was proved of a question: in the prover's names, as the checker reads it."""
 
 from __future__ import annotations
 

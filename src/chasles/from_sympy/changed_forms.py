@@ -1,4 +1,4 @@
-"""Where a form changes: points at which that vanishes of which a sign is taken, or at which equations hold."""
+"""Where a form changes: points at which the argument of a sign is zero, or at which equations hold."""
 
 from __future__ import annotations
 

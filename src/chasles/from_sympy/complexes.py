@@ -15,7 +15,7 @@ from chasles.problems.variables import Untreatable
 
 
 class RealParts(Parts):
-    """Takes what a question speaks of apart; raises `Untreatable` for what is not taken apart."""
+    """Splits what a question speaks of into real and imaginary parts; raises `Untreatable` where it cannot."""
 
     def equal(self, left: Entries, right: Entries) -> tuple[Entries, Entries]:
         """Two sides that are equal where the given ones are: imaginary parts, if there are any, are further rows."""

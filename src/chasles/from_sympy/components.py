@@ -1,4 +1,4 @@
-"""What has components, by these: vectors and dyadics of both sides in one frame, quaternions, lists and arrays."""
+"""Vectors, dyadics, quaternions, lists and arrays as their components; vectors of both sides in one frame."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def in_components(said: tuple[Any, ...]) -> tuple[Any, ...]:
     spoken = [*expressions_in(said)]
     coordinates = {atom for e in spoken for atom in e.atoms(*_loaded("sympy.vector.scalar", "BaseScalar"))}
     if len(systems := {atom.system for atom in coordinates}) > 1:
-        raise Untreatable(f"coordinates of {_listed(systems)} occur: say all in one of them, by sympy.vector.express")
+        raise Untreatable(f"coordinates of {_listed(systems)} occur: write all in one of them, by sympy.vector.express")
     taken = {str(symbol) for e in spoken for symbol in e.free_symbols}
     values = {atom: _symbol(str(atom).replace(".", "_"), taken) for atom in coordinates}
     return with_values(said, values) if values else said
@@ -62,7 +62,7 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
     if relation is sympy.true or relation is sympy.false:
         why = "what SymPy has made of a relation when it was written"
         instead += ", or write the relation as Le(a, b, evaluate=False)"
-    raise Untreatable(f"one side only is handed in, {excerpt(relation)}, which is {why}: {instead}")
+    raise Untreatable(f"only one side is given, {excerpt(relation)}, which is {why}: {instead}")
 
 
 def _joins_relations(claim: Any) -> bool:
@@ -168,7 +168,7 @@ def _pair(one: Any, other: Any) -> Sequence[Any]:
 
 
 def _carried_out(value: Any) -> Any:
-    """The expression with products and derivatives of vectors carried out, the inner ones first."""
+    """The expression with products and derivatives of vectors evaluated, the inner ones first."""
     if not isinstance(value, sympy.Expr):
         return value
     operations = _loaded(SYSTEMS, "Dot", "Cross", "Gradient", "Divergence", "Curl", "Laplacian")
@@ -208,5 +208,5 @@ def _in_system(value: Any, systems: Sequence[Any]) -> Any:
     if len(systems) == 1:
         return value.to_matrix(systems[0])
     if any(system.lame_coefficients() != (1, 1, 1) for system in systems):
-        raise Untreatable(f"of {_listed(systems)} not all are Cartesian: say both sides in one of them")
+        raise Untreatable(f"of {_listed(systems)} not all are Cartesian: write both sides in one of them")
     return express(value, systems[0], variables=True).to_matrix(systems[0])

@@ -1,4 +1,4 @@
-"""Where what is compared or differentiated is defined: parts that cancel where that is carried out."""
+"""Where what is compared or differentiated is defined: parts that cancel when it is evaluated."""
 
 from __future__ import annotations
 

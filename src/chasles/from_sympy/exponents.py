@@ -1,4 +1,4 @@
-"""Numbers as they are written: how large they may be that SymPy comes to an end with."""
+"""Exponents and arguments that are too large for SymPy to come to an end with are refused."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MOST_FACTORED = 40
 def require_moderate(expressions: Iterable[Any]) -> None:
     """Raise `Untreatable` for a numeric exponent whose numerator or denominator is too large, or a limit at infinity.
 
-    SymPy comes to no end with the numbers that these are.
+    SymPy would not come to an end with these.
     """
     for part in (part for e in expressions for part in parts_of(e)):
         ends = [end for limit in getattr(part, "limits", ()) for end in limit[1:] if isinstance(part, ExprWithLimits)]

@@ -1,4 +1,4 @@
-"""Which fact of the checker is it that vanishes? Its label there, of what is a multiple of it in the prover's names."""
+"""The labels by which the checker knows the facts that a proof uses, found by comparing polynomials."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Key = frozenset[tuple[int, int]]
 
 
 class FactLabels:
-    """Finds what the checker calls something that vanishes."""
+    """Finds the checker's label for a polynomial that vanishes."""
 
     def __init__(self, asked: Asked, reading: Proven, certificate: Mapping[str, Any]) -> None:
         self.reading = reading
@@ -59,7 +59,7 @@ class FactLabels:
         return label, scale / other
 
     def cofactors(self, context: Context, combination: Combination) -> dict[str, str]:
-        """By their labels, by what the facts are multiplied."""
+        """What each fact is multiplied by, by its label."""
         ring, found = context.field.ring, {}
         for k, cofactor in combination.items():
             generator = context.generators[k]

@@ -57,9 +57,7 @@ class General(Generalised):
             return 0
         parts = lcm(*(part.denominator for turn in turns for part in (turn, turn - Fraction(1, 2))))
         if parts > MOST_PARTS:
-            raise Untreatable(
-                f"angles that are multiples of pi/{parts} are not treated: of pi/{MOST_PARTS} at the least"
-            )
+            raise Untreatable(f"angles that are multiples of pi/{parts} are not treated: no finer than pi/{MOST_PARTS}")
         return parts
 
 

@@ -69,7 +69,7 @@ def _value(integral: Any) -> tuple[Any, list[Any]]:
         large = sympy.Dummy(positive=True)
         finite = [sympy.sign(end) * large if end.is_infinite else end for end in ends]
         if not is_running(index, finite, "real"):
-            told = f"{index} is assumed to be what it need not be from {ends[0]} to {ends[1]}"
+            told = f"what is assumed of {index} need not hold from {ends[0]} to {ends[1]}"
             raise Untreatable(f"{excerpt(integral)} is not treated: {told}")
         x = sympy.Dummy(str(index), real=True, **kinds_of(signs_of(finite[0]) | signs_of(finite[1])))
         before = _before(term.xreplace({index: x}), x, ends, integral)

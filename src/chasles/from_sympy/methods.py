@@ -40,7 +40,7 @@ def _proved_by_cases(*asked: Any) -> Verdict:
     """The verdict if it is proved by cases; nothing is refuted."""
     lhs, rhs, given, nonzero = asked
     splitting = Splitting(lhs, rhs, given, nonzero, _answered)
-    return _followed(splitting.verdict(refuting=False), asked) if splitting.possible else Undecided("no one shape")
+    return _followed(splitting.verdict(refuting=False), asked) if splitting.possible else Undecided("the shapes differ")
 
 
 WAYS = _decided_or_by_induction, _proved_by_cases

@@ -106,4 +106,4 @@ class Placeholders:
         if base in self.exponents:
             return
         if not is_evident(base) and self.signs.setdefault(original if is_atom(original) else base, sign) != sign:
-            raise Untreatable(f"where roots and logarithms of {excerpt(original)} are real, others are not")
+            raise Untreatable(f"roots and logarithms with {excerpt(original)} in them are nowhere all real")

@@ -1,6 +1,6 @@
 """What is treated: how each class of SymPy expressions is read.
 
-Of an angle, quotients of its sine and cosine are; a multiple of pi is taken apart and evaluated by SymPy.
+Of an angle, quotients of its sine and cosine are; a multiple of pi is split off and evaluated by SymPy.
 """
 
 from __future__ import annotations

@@ -110,7 +110,7 @@ class Sampling:
         try:
             return expression.xreplace(self._dummies)
         except (TypeError, ValueError):
-            raise Untreatable(f"{excerpt(expression)} is not treated: SymPy does not put other symbols in it") from None
+            raise Untreatable(f"{excerpt(expression)} is not treated: SymPy substitutes nothing in it") from None
 
     def _coordinates(self, enclosures: Enclosures) -> dict[str, Any]:
         """The exact values of the atoms."""

@@ -1,6 +1,6 @@
 """Integrals and sums of functions that are not known, by antiderivatives and antidifferences, which are not either.
 
-Integrals are taken apart by linearity, substitution and integration by parts; what is left of an integrand has an
+Integrals are split by linearity, substitution and integration by parts; what is left of an integrand has an
 antiderivative of its own. Whatever holds for all of these holds; what fails for some need not, since squares, say, have
 integrals that are not negative: see `is_tied`.
 """

@@ -1,4 +1,4 @@
-"""Findings on a page told: a line each, as compilers write it, and a record each for programs."""
+"""Findings on a page in words: a line each, as compilers write it, and a record each for programs."""
 
 from __future__ import annotations
 

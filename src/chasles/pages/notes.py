@@ -52,7 +52,7 @@ def notes_of(notation: PageNotation, relations: Mapping[str, Sequence[Claim]]) -
         for claim in claims:
             own = notation.notes.get(f"{name}/{claim.part}", {})
             if "reading" in own:
-                raise BadNotation(f"[equations] '{name}/{claim.part}': say the reading of all of '{name}'")
+                raise BadNotation(f"[equations] '{name}/{claim.part}': give one reading for the whole of '{name}'")
             is_of_others = is_defining(claim) and not is_of_all
             said = own if "role" in own or is_of_others else {**whole, **own}
             if said:
@@ -69,7 +69,7 @@ def _note_of(
 ) -> EquationNote:
     given = said.get("given")
     if "of" in said and said.get("role") != "definition":
-        raise BadNotation(f"[equations] '{name}' of: only a definition is of something: say role = 'definition'")
+        raise BadNotation(f"[equations] '{name}' of: 'of' belongs to a definition: say role = 'definition'")
     return EquationNote(
         said.get("role", ""),
         _defined(name, said["of"], notation, among) if "of" in said else None,
@@ -120,7 +120,7 @@ def _defined(name: str, letter: str, notation: PageNotation, relations: Sequence
         raise BadNotation(f"[equations] '{name}' of '{letter}': expected a letter alone")
     alone = [key for claim in relations for side in claim.printed if (key := quantity(side)) in found]
     if not alone:
-        raise BadNotation(f"[equations] '{name}' of '{letter}': it stands alone on no side")
+        raise BadNotation(f"[equations] '{name}' of '{letter}': it is alone on neither side")
     return alone[0]
 
 

@@ -45,7 +45,7 @@ def refuted(
     rules = chosen_rules(claim.printed, premises.defined())
     unit = imaginary_unit((*claim.printed, *(rule.right for rule in rules.values())))
     if unit is not None:
-        reason = f"{unit} is the imaginary unit, and complex numbers have no word"
+        reason = f"{unit} is the imaginary unit, and complex numbers are not treated"
         return PageFinding("claim", Undecided(reason), claim, open=True)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
     is_asked = not (claim.sign in DEFINING or _is_new_value(claim))
