@@ -629,7 +629,7 @@ def test_a_compiler_without_end_is_ended(endless, tmp_path, monkeypatch):
     script.write_text(f"#!/bin/sh\n{endless}\n")
     script.chmod(0o755)
     monkeypatch.setattr(compiler, "_PATIENCE", 1)
-    with pytest.raises(compiler.CompilerFailed, match=r"endless -c x\.c: .*ended after 1 seconds of processor time"):
+    with pytest.raises(compiler.CompilerFailed, match=r"endless -c x\.c: .*stopped after 1 seconds of processor time"):
         compiler._run((str(script), "-c", "x.c"))
 
 
