@@ -207,6 +207,37 @@ def test_claims_are_joined_by_and_or_not_if_and_if_and_only_if(claim: sp.Basic, 
     recheck(verdict, claim)
 
 
+FALSE_PREMISES = [
+    x**2 < 0,
+    sp.And(x > 1, x < 0),
+    sp.Lt(x, x - 1, evaluate=False),
+    sp.And(sp.Eq(x, 1), sp.Eq(x, 2)),
+    sp.Eq(sp.sin(x), 2),
+    sp.Eq(x, x + 1, evaluate=False),
+    sp.Lt(sp.exp(x), 0, evaluate=False),
+    sp.And(x > 1, x**2 < 1),
+    sp.false,
+]
+
+
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize("premise", FALSE_PREMISES, ids=str)
+def test_what_cannot_be_implies_everything(premise: sp.Basic) -> None:
+    claim = sp.Implies(premise, x > 5 if premise.has(sp.Pow) else sp.Eq(y, 1), evaluate=False)
+    verdict = prove(claim)
+    assert verdict.true
+    recheck(verdict, claim)
+    with pytest.raises(Rejected):
+        recheck(verdict, sp.Implies(x > 0, sp.Eq(y, 1)))
+
+
+def test_what_cannot_be_beside_what_is_given_implies_everything() -> None:
+    claim = sp.Implies(x < y, sp.Eq(x, 1))
+    assert prove(claim, given=[x > y]).true
+    assert isinstance(prove(claim), Fails)
+    assert prove(claim, given=[sp.Eq(d, 1), sp.Eq(d, 2)]).reason == "nothing satisfies d = 1 and d = 2"
+
+
 def test_what_is_no_relation_is_no_equation_either() -> None:
     for claim in (sp.Implies(y, x > 1), sp.Or(y, x > 1), sp.Not(y)):
         with pytest.raises(Untreatable, match="no equation and no inequality"):

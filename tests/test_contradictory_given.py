@@ -111,3 +111,16 @@ def test_a_divisor_that_vanishes_everywhere_is_told() -> None:
 def test_conditions_that_something_satisfies_do_not_contradict_each_other(given: list[Any], nonzero: list[Any]) -> None:
     assert isinstance(prove(z, z, given=given, nonzero=nonzero), Holds | HoldsUnder)
     assert isinstance(prove(z, 7, given=given, nonzero=nonzero), Fails)
+
+
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize("claim", [x > 0, x >= 0, Eq(sp.Max(x, y), 1), Eq(sp.Abs(x), y), sp.Or(x > 1, y > 1)], ids=str)
+@pytest.mark.parametrize(
+    "given", [sp.false, x < x - 1, x**2 < 0, Eq(x**2, -1, evaluate=False), Eq(x, x + 1, evaluate=False)], ids=str
+)
+def test_contradictory_conditions_are_told_whatever_is_claimed(claim: Any, given: Any) -> None:
+    assert isinstance(prove(claim, given=[given]), Contradictory)
+
+
+def test_a_sign_that_is_given_has_a_value_at_zero() -> None:
+    assert not isinstance(prove(sp.Max(x, y) > 0, given=[Eq(sp.sign(x), 0)]), Contradictory)

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from sympy import Abs, Eq, Matrix, cos, eye, pi, sign, sin, sqrt, tan
+from sympy import Abs, Eq, Matrix, atan, cos, eye, pi, sign, sin, sqrt, tan
 
 from chasles.checker.expressions.reals import Reals
 from chasles.checker.sparse import number
@@ -356,3 +356,49 @@ def test_a_certificate_does_not_set_sympy_to_work(text: str) -> None:
     verdict = prove(lhs, rhs)
     with pytest.raises(Rejected):
         recheck(replace(verdict, certificate={**verdict.certificate, "facts": [text]}), lhs, rhs)
+
+
+N = sp.Symbol("N", integer=True, positive=True)
+A, B = (sp.MatrixSymbol(letter, N, N) for letter in "AB")
+OF_ALL_KINDS: list[tuple[Any, Any, list[Any]]] = [
+    (p, 1, [p >= 1, p <= 1]),
+    (Abs(x), sp.Max(x, -x), []),
+    (A.T * B.T, (B * A).T, []),
+    (A * B, B * A, []),
+    (sqrt(x**2), x, []),
+]
+NO_VERDICT: tuple[Any, ...] = (None, 5, "nonsense", [7], (None,), 1.5)
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "given"), OF_ALL_KINDS, ids=name)
+def test_what_is_no_verdict_is_rejected_and_fails_in_no_other_way(lhs: Any, rhs: Any, given: list[Any]) -> None:
+    verdict = prove(lhs, rhs, given=given)
+    recheck(verdict, lhs, rhs, given=given)
+    for odd in NO_VERDICT:
+        if isinstance(verdict, Fails):
+            rejected(Fails(odd), lhs, rhs, given)
+            for part in ("at", "entry", "left", "right"):
+                rejected(Fails(replace(verdict.counterexample, **{part: odd})), lhs, rhs, given)
+            continue
+        assert isinstance(verdict, Holds | HoldsUnder)
+        rejected(HoldsUnder(odd, verdict.certificate, verdict.witness), lhs, rhs, given)
+        rejected(replace(verdict, certificate=odd), lhs, rhs, given)
+        rejected(replace(verdict, witness=odd), lhs, rhs, given)
+        for key in verdict.witness:
+            rejected(replace(verdict, witness={**verdict.witness, key: odd}), lhs, rhs, given)
+
+
+def test_an_angle_of_very_many_turns_is_no_witness() -> None:
+    for lhs, rhs in ((tan(x / 2), sin(x) / (1 + cos(x))), (sin(x) ** 2 + cos(x) ** 2, sp.Integer(1))):
+        verdict = proved(lhs, rhs, [])
+        for many in (10**400, 10**4000, Fraction(1, 3) + 10**1000):
+            rejected(replace(verdict, witness={"x": many}), lhs, rhs)
+
+
+def test_an_angle_is_not_halved_without_end() -> None:
+    asked = atan(p) + atan(1 / p), pi / 2
+    verdict = proved(*asked, [])
+    assert "turned" in verdict.certificate
+    for times in (-1, 10**400, 10**9, "10", None):
+        certificate = {**verdict.certificate, "turned": {"1,1": times}}
+        rejected(replace(verdict, certificate=certificate), *asked)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from math import inf
 from typing import Any
@@ -11,18 +12,18 @@ from sympy.polys.polyerrors import BasePolynomialError
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for_sizes
-from chasles.checker.sparse import Rejected
+from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.components import claimed
+from chasles.from_sympy.components import claimed, is_implication
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.handed_in import as_said, readings_of, require_possible
 from chasles.from_sympy.inequalities import Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.opening import excerpt
 from chasles.problems.variables import Untreatable
-from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
@@ -69,9 +70,20 @@ def prove(
     Raises:
         Untreatable: a ValueError that names what is not treated.
     """
+    given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
+    verdict = _proved(lhs, rhs, given, nonzero, budget, exact)
+    if isinstance(verdict, Contradictory | Undecided) and is_implication(lhs, rhs, given):
+        with suppress(Untreatable):  # where the premise cannot hold
+            whole = _proved(lhs, rhs, given, nonzero, budget, exact, whole=True)
+            return whole if isinstance(whole, Holds | HoldsUnder | Fails) else verdict
+    return verdict
+
+
+def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, whole: bool = False) -> Verdict:
+    """The verdict; on an implication as a `whole`, or on its conclusion where its premise is given, too."""
     try:
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
-        said = as_said(exact, lhs, rhs, given, nonzero)
+        said = as_said(exact, lhs, rhs, given, nonzero, whole=whole)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         with within(seconds=budget):
@@ -91,7 +103,7 @@ def prove(
     if used := [text for text in (*definitions(said, asked), *sorted(poles), *calls.defined) if text in verdict.unused]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
-    return replace(verdict, asked=(*said, claimed(lhs, rhs, given)))
+    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, whole)))
 
 
 def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: Calls) -> tuple[Verdict, Said]:
@@ -134,9 +146,19 @@ def recheck(
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
-    said = as_said(exact, lhs, rhs, given, nonzero)
+    given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
+    try:
+        _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero))
+    except Rejected:
+        if not is_implication(lhs, rhs, given):
+            raise
+        _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero, whole=True))
+
+
+def _recheck(verdict: Verdict, said: Said) -> None:
     if has_letters_for_sizes(expressions_in(said)):
-        check_at_any_size(verdict, *said)
+        with well_formed("verdict"):
+            check_at_any_size(verdict, *said)
         return
     calls = Calls(said)
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
@@ -144,8 +166,9 @@ def recheck(
     reasons = []
     for asked in readings_of(calls.said):
         try:
-            _check_reading(verdict, [*definitions(said, asked), *calls.defined], asked)
-            require_possible(verdict, calls)
+            with well_formed("verdict"):
+                _check_reading(verdict, [*definitions(said, asked), *calls.defined], asked)
+                require_possible(verdict, calls)
             return
         except Rejected as reason:
             reasons.append(reason)

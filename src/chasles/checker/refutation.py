@@ -36,7 +36,8 @@ def check_counterexample(problem: Problem, shown: Counterexample) -> None:
     from chasles.checker.any_size.at_sizes import check_at_sizes, sizes_in
 
     if sizes_in(problem):
-        check_at_sizes(problem, shown)
+        with well_formed("counterexample"):
+            check_at_sizes(problem, shown)
         return
     kinds = {h.kind for h in problem.hypotheses}
     if UNFINISHED in kinds:

@@ -79,22 +79,30 @@ def _is_entire(equation: Any) -> bool:
     return not any(e.is_Matrix for e in equation.args) and all(e.is_polynomial() for e in sides)
 
 
-def without_implication(claim: Any, given: Any) -> tuple[Any, Any]:
-    """The claim that follows from what is said to imply it, and what is given then; others as they are.
+def is_implication(claim: Any, other: Any, given: Any) -> bool:
+    """Whether a claim follows from what is said to imply it, which may be given beside what is.
 
     What is given holds at all times: what speaks of functions of time is no such claim.
     """
-    said = isinstance(claim, sympy.Implies) and (
-        isinstance(claim.args[0], Relational) or _joins_relations(claim.args[0])
-    )
-    if not said or not isinstance(given, list | tuple) or claim.args[0].has(AppliedUndef):
-        return claim, given
-    return claim.args[1], [*given, claim.args[0]]
+    if other is not None or not isinstance(claim, sympy.Implies) or not isinstance(given, list | tuple):
+        return False
+    premise = claim.args[0]
+    return (isinstance(premise, Relational) or _joins_relations(premise)) and not premise.has(AppliedUndef)
 
 
-def claimed(lhs: Any, rhs: Any, given: Any) -> Any:
+def without_implication(claim: Any, given: Any) -> tuple[Any, Any]:
+    """The claim that follows from what is said to imply it, and what is given then; others as they are.
+
+    From what SymPy has seen to be false everything follows.
+    """
+    if isinstance(claim, sympy.Implies) and claim.args[0] is sympy.false:
+        return sympy.Eq(0, 0, evaluate=False), given
+    return (claim.args[1], [*given, claim.args[0]]) if is_implication(claim, None, given) else (claim, given)
+
+
+def claimed(lhs: Any, rhs: Any, given: Any, whole: bool = False) -> Any:
     """The inequality, or what joins several relations, for which two sides stand; None for an equation."""
-    claim = None if rhs is not None else without_implication(lhs, given)[0]
+    claim = None if rhs is not None else lhs if whole else without_implication(lhs, given)[0]
     return None if isinstance(claim, sympy.Equality) else claim
 
 

@@ -29,9 +29,10 @@ from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 
-def as_said(exact: bool, *said: Any) -> tuple[Any, ...]:
+def as_said(exact: bool, *said: Any, whole: bool = False) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts.
 
+    What an implication assumes is given, unless the `whole` of it is a claim.
     Raises `Untreatable` for a symbol that is infinite, also where it would cancel: inf + 1 > inf is false.
     """
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
@@ -41,7 +42,7 @@ def as_said(exact: bool, *said: Any) -> tuple[Any, ...]:
     lhs, rhs, *conditions = said
     stated = isinstance(lhs, Boolean) and not isinstance(lhs, sympy.Symbol)
     rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
-    if rhs is None:
+    if rhs is None and not whole:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
     lost = cancelled(lhs) if rhs is None and isinstance(lhs, COMPARED) else []
     lhs, rhs = sides_of(lhs) if rhs is None else (lhs, rhs)

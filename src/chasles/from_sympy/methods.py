@@ -7,6 +7,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from sympy import S
+
 from chasles.algebra.work_limit import OutOfTime, remaining
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.induction import at_numbers, check_induction
@@ -52,6 +54,8 @@ def _verdict(*asked: Any) -> Verdict:
     lhs, rhs, given, nonzero = asked
     splitting = Splitting(lhs, rhs, given, nonzero, _answered)
     by_cases = _followed(splitting.verdict(), asked) if splitting.wanted else None
+    if isinstance(by_cases, Undecided) and (of_nothing := _contradictory(given, nonzero)):
+        return of_nothing
     if by_cases is not None and (by_cases.true or isinstance(by_cases, Fails) or not splitting.readable):
         return (by_cases if not isinstance(by_cases, Undecided) else _refuted_where_forms_change(asked)) or by_cases
     refused = None
@@ -72,6 +76,17 @@ def _verdict(*asked: Any) -> Verdict:
     if isinstance(verdict, Undecided) and refused is not None:
         raise refused
     return verdict
+
+
+def _contradictory(given: Any, nonzero: Any) -> Contradictory | None:
+    """Which conditions contradict each other, whatever is claimed; None where they are read by cases themselves."""
+    asked = S.Zero, S.Zero, given, nonzero
+    with suppress(Untreatable, OutOfTime):
+        if not Splitting(*asked, _answered).wanted:
+            question = ask(*asked)
+            found = contradiction(question) if isinstance(question, Question) else question
+            return found if isinstance(found, Contradictory) else None
+    return None
 
 
 def _refuted_where_forms_change(asked: tuple[Any, ...]) -> Verdict | None:

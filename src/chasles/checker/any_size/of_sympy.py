@@ -64,6 +64,8 @@ def check_at_any_size(verdict: Any, *asked: Any) -> None:
     if tuple(verdict.needs) != needs:
         raise Rejected(f"the proof may use {', '.join(needs)}, and the verdict says {', '.join(verdict.needs)}")
     check(problem, "printed", verdict.certificate)
+    if {str(name): str(value) for name, value in verdict.witness.items()} != verdict.certificate["witness"]:
+        raise Rejected("the verdict and its certificate have different witnesses")
 
 
 def _sides(item: Any) -> tuple[Any, Any]:

@@ -11,6 +11,8 @@ from chasles.checker.expressions.known_roots import KnownRoots
 from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
 
+MOST_HALVINGS = 10
+
 
 class Arcs:
     """The angles of points in a reading, each a variable; `points` are their coordinates, y first."""
@@ -46,8 +48,7 @@ class Arcs:
 
     def direction(self, place: int, multiple: Fraction) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a multiple of the angle of a point: half of it has a cosine that is not negative."""
-        read = self.reading
-        y, x = self.points[place]
+        read, (y, x) = self.reading, self.points[place]
         square = read.normal(x * x + y * y)
         for _ in range(multiple.denominator.bit_length() - 1):
             inverse = read.normal(read.root(square) * self.functions.inverse(square))
@@ -57,9 +58,8 @@ class Arcs:
             y, square = read.normal(sine * x * self.functions.inverse(half) * number(Fraction(1, 2))), ONE
         power = abs(multiple.numerator)
         cosine, sine = read.complex_power(x, y, power)
-        inverse = read.power(self.functions.inverse(square), (power + 1) // 2) * (
-            read.root(square) if power % 2 else ONE
-        )
+        inverse = read.power(self.functions.inverse(square), (power + 1) // 2)
+        inverse = inverse * read.root(square) if power % 2 else inverse
         return read.normal(cosine * inverse), read.normal((sine if multiple > 0 else -sine) * inverse)
 
     def split(self, angle: Polynomial) -> tuple[list[tuple[int, Fraction]], Polynomial]:
@@ -67,9 +67,8 @@ class Arcs:
         parts, rest = [], ZERO
         for monomial, coefficient in angle.terms.items():
             multiple = Fraction(coefficient, angle.below)
-            below = multiple.denominator
             match exponents(monomial):
-                case [(place, 1)] if place in self.points and below & (below - 1) == 0:
+                case [(place, 1)] if place in self.points and multiple.denominator.bit_count() == 1:
                     parts.append((place, multiple))
                 case _:
                     rest += Polynomial({monomial: coefficient}, angle.below)
@@ -102,7 +101,8 @@ class Arcs:
 
     def turned(self, difference: Polynomial, halvings: int) -> Polynomial:
         """What vanishes only where a sum of angles does: one less its cosine, if that is one nowhere else."""
-        size = Fraction(2) * 2**halvings
-        if any(abs(end) > size or (abs(end) == size and not strict) for end, strict in self.bounds(difference)):
+        size = 2 ** min(halvings + 1, MOST_HALVINGS)
+        within = all(abs(end) < size or (abs(end) == size and strict) for end, strict in self.bounds(difference))
+        if halvings >= MOST_HALVINGS or not within:
             raise Rejected("a sum of angles is not known to be less than a turn")
         return ONE - self.reading.turn(difference * number(Fraction(1, 2**halvings)))[0]

@@ -14,7 +14,7 @@ from math import isqrt
 
 HALVINGS = 8
 LARGEST = 4096
-"""Arguments of the exponential function are no larger than this."""
+"""Arguments of the exponential function are no larger than this, and angles than 2 to the power of a quarter of it."""
 
 
 class Unbounded(ArithmeticError):
@@ -129,8 +129,7 @@ class Enclosing:
 
     def series(self, x: Enclosure, ratio: Callable[[int], Fraction]) -> Enclosure:
         """1 + r(1) x + r(1) r(2) x^2 + ... for |x| at most 1/2 and ratios from 0 to 1."""
-        total = term = self.number(1)
-        k = 0
+        total, term, k = self.number(1), self.number(1), 0
         while max(abs(term.low), abs(term.high)) > 1:
             k += 1
             term, part = self.times(term, x), ratio(k)
@@ -149,6 +148,8 @@ class Enclosing:
         """Of an angle: at its middle, widened by half its width, since neither changes faster than the angle."""
         middle, reach = (x.low + x.high) // 2, (x.high - x.low) // 2 + 1
         doublings = max(self.halvings, abs(middle).bit_length() - self.bits + self.halvings)
+        if doublings > LARGEST // 4:
+            raise Unbounded("an angle is of too many turns")
         finer = Enclosing(self.bits + 2 * doublings + HALVINGS)
         small = finer.number(Fraction(middle, self.one << doublings))
         square = -finer.times(small, small)
@@ -170,8 +171,7 @@ class Enclosing:
         finer = Enclosing(self.bits + 4 * self.halvings + size.bit_length())
         rest = finer.log_of_moderate(finer.number(Fraction(x, self.one) / Fraction(2) ** size))
         two = _log_2(finer.bits)
-        low, high = sorted((size * two.low, size * two.high))
-        return self.coarser(rest + Enclosure(low, high), finer)
+        return self.coarser(rest + Enclosure(*sorted((size * two.low, size * two.high))), finer)
 
     def log_of_moderate(self, x: Enclosure) -> Enclosure:
         """Log x = 2^n log(x^(1/2^n)), and log y = 2 artanh((y - 1) / (y + 1)), for x from 1/2 to 2."""
