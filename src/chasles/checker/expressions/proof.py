@@ -19,7 +19,7 @@ from chasles.checker.expressions.needs import require_needs
 from chasles.checker.expressions.reading_of_proof import Proven, Spoken
 from chasles.checker.expressions.signs import may_vanish
 from chasles.checker.expressions.widened import check_widened
-from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable, well_formed
+from chasles.checker.sparse import MOST_POWER, ONE, Polynomial, Rejected, number, parsed, variable, well_formed
 
 Data = Mapping[str, Any]
 PARTS = frozenset((
@@ -132,7 +132,7 @@ def _follows(certificate: Data, reading: Proven, facts: Facts, claim: Polynomial
     for which, power in said.get("times", {}).items():
         divisor = reading.normal(parsed(certificate["divisors"][int(which)], reading.places))
         place = reading.inverse_place(divisor)
-        if isinstance(power, bool) or not isinstance(power, int) or power < 1:
+        if isinstance(power, bool) or not isinstance(power, int) or not 0 < power <= MOST_POWER:
             raise Rejected(f"entry {label} is multiplied by a power {power!r}")
         if place is not None:
             powers[place] = powers.get(place, 0) + power
