@@ -874,3 +874,9 @@ def test_the_work_of_a_check_is_counted() -> None:
         assert len((long * long).terms) == 19**2
         with pytest.raises(Rejected, match="more products of terms"):
             long * long
+
+
+@pytest.mark.parametrize("odd", [None, [], "nonsense", 5, {}], ids=str)
+def test_what_is_no_certificate_is_rejected(odd: Any) -> None:
+    with pytest.raises(Rejected):
+        check(Claim("1", cross(e, f), -cross(f, e)), "printed", odd)

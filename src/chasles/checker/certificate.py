@@ -34,7 +34,7 @@ def check(
     `accepted` gives the sides with which given statements are used; a problem needs neither form nor sides. Raises
     `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
     """
-    if isinstance(said, Statement | Theorem) and certificate.get(IN_FULL):
+    if isinstance(said, Statement | Theorem) and isinstance(certificate, Mapping) and certificate.get(IN_FULL):
         said = with_all_premises(said, accepted)
     if isinstance(said, Inverse):
         problems = dict(problems_of_inverse(said, accepted))
