@@ -69,7 +69,6 @@ def test_a_function_may_have_any_values_at_different_places(lhs: Any, rhs: Any) 
 @pytest.mark.parametrize(
     ("lhs", "rhs", "given"),
     [
-        (f(x), f(y), [Eq(x**2, y**2)]),
         (f(x), 1, [Eq(f(x).diff(x), 0), Eq(f(0), 1)]),  # true: it is constant
         (f(2 * x), 2 * f(x), [Eq(f(x + y), f(x) + f(y))]),  # true if it is given for all x and y
         (z, 2 * z, [Eq(f(x), 1), Eq(f(y), 2), Eq(x, y)]),  # nothing satisfies what is given
@@ -128,3 +127,19 @@ def test_values_at_what_is_given_to_be_equal_are_the_same(left: Any, right: Any,
 @pytest.mark.parametrize("given", [Eq(x**2, y**2), Eq(x, 2 * y), Eq(y, x + 1)], ids=str)
 def test_and_others_are_not(given: Any) -> None:
     assert not isinstance(prove(f(x), f(y), given), Holds | HoldsUnder)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "given"),
+    [
+        (f(x), f(y), [Eq(x, 2 * y)]),
+        (f(x), f(y), [Eq(x**2, y**2)]),
+        (f(x) * f(y), f(x * y), [Eq(x, 3 * y)]),
+        (f(x), f(-x), [Eq(x, z)]),
+        (f(x, y), f(y, x), [Eq(x, 2 * y)]),
+    ],
+)
+def test_a_counterexample_is_looked_for_where_arguments_differ(lhs: Any, rhs: Any, given: list[Any]) -> None:
+    verdict = prove(lhs, rhs, given=given)
+    assert isinstance(verdict, Fails)
+    recheck(verdict, lhs, rhs, given=given)

@@ -126,6 +126,17 @@ class Calls:
             if not any(sign_of_number(a - b) for a, b in zip(*self._places((one, other), at), strict=True)):
                 raise Rejected(f"{one.name} and {other.name} may have the same arguments at the point")
 
+    def apart(self) -> list[Any]:
+        """For two values of a function, a difference of arguments that is no number, of what else is asked about."""
+        spoken = {atom for e in expressions_in(self.said) for atom in atoms_of(e)}
+        found: dict[Any, None] = {}
+        for one, other in combinations(dict.fromkeys(self.read.values()), 2):
+            if (one.function, one.orders) == (other.function, other.orders) and one.function in self._several:
+                gaps = (sympy.expand(a - b) for a, b in zip(one.arguments, other.arguments, strict=True))
+                put = with_values(tuple(gap for gap in gaps if not gap.is_number), self.put)
+                found |= dict.fromkeys([gap for gap in put if spoken.issuperset(atoms_of(gap))][:1])
+        return [*found]
+
     def _places(self, values: Sequence[Value], at: Mapping[str, Any]) -> list[list[Any]]:
         """The arguments of values at the point; what occurs in them only is a prime number, each another."""
         inside = [with_values(value.arguments, self.put) for value in values]

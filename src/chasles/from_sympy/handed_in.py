@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import sympy
@@ -24,6 +24,7 @@ from chasles.from_sympy.domains import also_defined, cancelled, lost_in
 from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import atoms_of, excerpt
+from chasles.from_sympy.side_conditions import listed
 from chasles.from_sympy.unknown_integrands import is_tied, without_unknown_integrands
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
@@ -57,6 +58,24 @@ def readings_of(said: Said) -> Iterator[Said]:
     yield (first := without_inequalities(plain))
     if first is not plain and (other := without_inequalities(plain, by_excess=True)) != first:
         yield other
+
+
+def possible_verdict(decide: Callable[..., Verdict], asked: Said, calls: Calls) -> Verdict:
+    """The verdict; a counterexample with several values of a function is looked for where its arguments differ.
+
+    Raises `Rejected` for what is not possible.
+    """
+    verdict = decide(*asked)
+    try:
+        require_possible(verdict, calls)
+    except Rejected:
+        apart = calls.apart() if isinstance(verdict, Fails) else []
+        nonzero = [*(item for _, item in listed(asked[3], "nonzero")), *apart]
+        verdict = decide(*asked[:3], nonzero) if apart else verdict
+        if not apart or not isinstance(verdict, Fails):
+            raise
+        require_possible(verdict, calls)
+    return verdict
 
 
 def require_possible(verdict: Verdict, calls: Calls) -> None:
