@@ -18,7 +18,7 @@ from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.components import claimed, is_implication
 from chasles.from_sympy.exponents import require_moderate
-from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of
+from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_possible
 from chasles.from_sympy.inequalities import Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.opening import excerpt
