@@ -148,6 +148,8 @@ def recheck(
     given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
     try:
         _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero))
+    except Untreatable as error:
+        raise Rejected(str(error)) from None
     except Rejected:
         if not is_implication(lhs, rhs, given):
             raise
