@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
+import chasles.cli  # noqa: F401  (it says that matrices are small, before NumPy is loaded)
 from chasles.decisions.session import Session
 from chasles.pages.chapter_notation import notation_of_chapter
 from chasles.pages.page import ReadPage, read_page

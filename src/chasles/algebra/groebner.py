@@ -7,6 +7,7 @@ a variable as a polynomial in others are substituted before any division.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -118,10 +119,15 @@ def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combinat
 def combined(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial]) -> Combination | None:
     """Rational numbers as cofactors, with which the generators add up to a polynomial; None if there are none.
 
-    They are found modulo a prime, and count if they are right.
+    They are found modulo a prime, and count if they are right; what alone has some term has none of them.
     """
     terms = [dict(ring.terms(each)) for each in (*generators, polynomial)]
-    if any(c.denominator % MODULUS == 0 for each in terms for c in each.values()):
+    occurs = Counter(e for each in terms for e in each)
+    while alone := [each for each in terms[:-1] if any(occurs[e] == 1 for e in each)]:
+        for each in alone:
+            occurs.subtract([*each])
+            each.clear()
+    if any(occurs[e] == 1 for e in terms[-1]) or any(c.denominator % MODULUS == 0 for t in terms for c in t.values()):
         return None
     places = {exponents: k for k, exponents in enumerate(dict.fromkeys(e for each in terms for e in each))}
     columns = [[0] * len(places) for _ in terms]
