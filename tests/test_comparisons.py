@@ -250,3 +250,14 @@ def test_one_of_several_equations_may_be_given() -> None:
     one_of = sp.Or(sp.Eq(x, 1), sp.Eq(x, -1))
     assert prove(x**2, 1, given=[one_of]).needs == ("(x - 1)*(x + 1) = 0",)
     assert prove(x, 1, given=one_of).counterexample.at == {"x": -1}
+
+
+def test_a_need_on_a_function_of_time_of_which_something_is_assumed_is_checked() -> None:
+    moment = sp.Symbol("t")
+    turning = sp.Function("u", real=True)(moment)
+    rate_ = turning.diff(moment)
+    cases = sp.Piecewise((1, turning > 0), (-1, turning < 0), (0, True))
+    asked = sp.sign(turning) * rate_, cases * rate_
+    verdict = prove(*asked, nonzero=[turning])
+    assert verdict.needs == ("u(t) != 0",)
+    recheck(verdict, *asked, nonzero=[turning])

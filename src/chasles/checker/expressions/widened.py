@@ -251,9 +251,9 @@ def _require_witness(verdict: Any, case: CheckedCase) -> None:
     for one, other in zip(*case.sides, strict=True):
         if not values(one).meets(values(other)):
             raise Rejected("the two sides differ at the witness")
+    names = case.named | {type(call).__name__: type(call) for e in case.spoken for call in e.atoms(sympy.Function)}
     for text in verdict.needs:
-        need = said_need(text, case.named)
-        if need and values(need[0]).sign not in (None, *HOLDING[need[1]]):
+        if (need := said_need(text, names)) and values(need[0]).sign not in (None, *HOLDING[need[1]]):
             raise Rejected(f"{text} is needed, and not so at the witness")
 
 
