@@ -65,7 +65,7 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
             raise reason
         length *= 2
     for divisor in expansion.divisors:
-        if divisor is not None and not isinstance(divisor, w.Number):
+        if divisor is not None and not _is_size_of(small, divisor):
             size = divisor if divisor.is_scalar else w.Norm(divisor)
             yield f"{w.plain(size)} is not zero, terms of order 0", w.number(0) / size, w.number(0)
     yield from _compared(left, one, other, exponent, "")
@@ -101,6 +101,13 @@ def _order_of(left: Node, right: Node) -> tuple[w.Symbol, int]:
             assert isinstance(side.small, w.Symbol)
             return side.small, side.exponent if isinstance(side, UpTo) else 1
     raise w.Misfit("neither side is an expansion")
+
+
+def _is_size_of(small: Node, divisor: Node) -> bool:
+    """Whether it is a number, or one times a power of the size of what is small, which is not zero in a limit."""
+    if isinstance(divisor, w.Scale):
+        return _is_size_of(small, divisor.factor) and _is_size_of(small, divisor.term)
+    return isinstance(divisor, w.Number) or divisor == small or (isinstance(divisor, w.Norm) and divisor.of == small)
 
 
 class _Expansion:
