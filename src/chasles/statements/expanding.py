@@ -11,22 +11,11 @@ from fractions import Fraction
 from functools import reduce
 
 from chasles import vocabulary as w
+from chasles.statements import series
 from chasles.statements.bounds import RealInterval, bounds_of
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.matrix_series import behind, composed, determinant_of, inverse_of, length_of
-from chasles.statements.series import (
-    TURNS,
-    PowerSeries,
-    TooShort,
-    by_slope,
-    inverse,
-    is_zero,
-    minus,
-    product,
-    scaled,
-    taylor,
-    total,
-)  # fmt: skip
+from chasles.statements.series import PowerSeries, TooShort, inverse, is_zero, minus, product, scaled, total
 from chasles.vocabulary import Node
 from chasles.vocabulary.expansions import Limit, UpTo
 from chasles.vocabulary.functions import DERIVATIVES, FunctionOf
@@ -194,12 +183,12 @@ class _Expansion:
 
     def _block(self, rows: tuple[tuple[Node, ...], ...]) -> PowerSeries:
         parts = [[self(part) for part in row] for row in rows]
-        every = [series for row in parts for series in row]
+        every = [entry for row in parts for entry in row]
         begin, known = min(s.begin for s in every), min(s.known for s in every)
         end = min(known, max(s.begin + len(s.terms) for s in every))
         terms: list[Node | None] = []
         for k in range(begin, end):
-            grid = [[series.coefficient(k) for series in row] for row in parts]
+            grid = [[entry.coefficient(k) for entry in row] for row in parts]
             empty = all(entry is None for line in grid for entry in line)
             shown = [zip(line, row, strict=True) for line, row in zip(grid, rows, strict=True)]
             filled = tuple(tuple(w.Zero(*node.shape) if e is None else e for e, node in line) for line in shown)
@@ -231,12 +220,11 @@ class _Expansion:
         if inner.begin < 0 and (inner.lead or 0) < 0:
             raise TypeError(f"{w.plain(node)} is not expanded: its argument grows without bound")
         around = inner.coefficient(0)
-        if name in DERIVATIVES and name not in (*TURNS, "sqrt"):
-            start = (
-                None if (name, around) in AT_ZERO else FunctionOf(name, (w.number(0) if around is None else around,))
-            )
-            return by_slope(self(DERIVATIVES[name](argument)[0]), inner, start)
+        if name in DERIVATIVES and name not in (*series.TURNS, "sqrt"):
+            start = FunctionOf(name, (w.number(0) if around is None else around,))
+            slope = self(DERIVATIVES[name](argument)[0])
+            return series.by_slope(slope, inner, None if (name, around) in AT_ZERO else start)
         if name == "sqrt":
             self.divisors[around] = None
-        slopes = taylor(name, around, self.length, node)
+        slopes = series.taylor(name, around, self.length, node)
         return composed(slopes, behind(inner), self.length)
