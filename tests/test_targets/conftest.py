@@ -326,7 +326,7 @@ def compile_levels(compile_c):
                 own = ["-O3", "-fno-math-errno", "-fno-trapping-math"] if is_blocks else ["-O2"]
                 own.append(f"-ffp-contract={'fast' if source.stem == 'trigonometry_blocks' else 'off'}")
                 made.append(folder / f"{source.stem}.{number}.o")
-                macros = [f"-DCHASLES_LEVELS={len(levels)}", f"-DCHASLES_LEVEL={number}"]
+                macros = [f"-DCHASLES_LEVELS={len(levels)}", f"-DCHASLES_LEVEL={number}", "-DCHASLES_STREAMS=1"]
                 words = ["-std=c99", *STRICT, *own, *options, *target, *macros, f"-I{generated}/c/include", "-fPIC"]
                 compile_c(*words, "-c", source, "-o", made[-1])
         return made

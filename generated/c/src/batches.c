@@ -324,10 +324,14 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
  * beside the inputs. */
 #define CHASLES_STREAMED 16777216
 #define CHASLES_WIDE 3
+/* Whether such results are copied around the cache: on AMD's Zen 3 loops took half as long again so. */
+#ifndef CHASLES_STREAMS
+#define CHASLES_STREAMS __builtin_cpu_is("intel")
+#endif
 
 /* The output whose items lie one after the other and are so many that the cache could not keep them: then a line of
- * memory is better not read before it is written. Where more is read than written that saves little, and on machines
- * of some makers it costs more than it saves. -1 where there is none. */
+ * memory is better not read before it is written. Where more is read than written that saves little. -1 where there is
+ * none. */
 static int streamed_output(
     const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps, const Stride *strides)
 {
@@ -342,7 +346,8 @@ static int streamed_output(
     }
     const int many = size >= CHASLES_WIDE * loop->number && count * size >= CHASLES_STREAMED;
     const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE && loop->gaps < 2;
-    return many && fits && size > read && strides[widest].dense && steps[widest] == size ? widest : -1;
+    const int saves = size > read && CHASLES_STREAMS;
+    return many && fits && saves && strides[widest].dense && steps[widest] == size ? widest : -1;
 }
 
 /* Waits until what went around the cache is where others see it. */
