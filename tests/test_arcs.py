@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Abs, Eq, acos, asin, atan, atan2, pi, sign, sqrt
 
 from chasles.prove import Rejected, prove, recheck
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 
 x, y, z, u, v = sp.symbols("x y z u v", real=True)
 p, q = sp.symbols("p q", positive=True)
@@ -41,6 +41,10 @@ FALSE_AT_AN_END: list[tuple[Any, Any, list[Any]]] = [
     (atan2(y, x) - atan2(-y, -x), pi, []),
     (2 * atan2(y, x), atan2(2 * x * y, x**2 - y**2), []),
     (acos(x / sqrt(x**2 + y**2)), Abs(atan2(y, x)) + (Abs(y) - y) / 100, []),
+    (atan2(-y, x), -atan2(y, x), []),
+    (sp.arg(x + sp.I * y) + sp.arg(x - sp.I * y), 0, []),
+    (sp.arg(x + sp.I * y), -sp.arg(x - sp.I * y), [x < 0]),
+    (sp.sin(atan2(y, x) / 2), y / sqrt(2 * (x**2 + y**2 + x * sqrt(x**2 + y**2)) + Abs(Abs(x) - x - 4) - 4), []),
 ]
 
 
@@ -57,6 +61,12 @@ def test_the_ends_of_the_range_count(one: Any, other: Any, given: list[Any]) -> 
     verdict = prove(one, other, given)
     assert isinstance(verdict, Fails)
     recheck(verdict, one, other, given)
+
+
+@pytest.mark.parametrize("given", [[Eq(x, -1), Eq(y, 0)], [x < 0, Eq(y, 0)], [Eq(sp.cos(atan2(y, x) / 2), 0)]], ids=str)
+def test_half_an_angle_is_also_that_of_a_half_turn(given: list[Any]) -> None:
+    assert not isinstance(prove(sp.cos(atan2(y, x) / 2), 0, given), Contradictory | Fails)
+    assert isinstance(prove(sp.sin(atan2(y, x) / 2), -1, given), Fails | Undecided)
 
 
 def test_an_angle_is_not_mirrored_where_it_is_half_a_turn() -> None:

@@ -242,8 +242,90 @@ def test_what_is_no_relation_is_no_equation_either() -> None:
     for claim in (sp.Implies(y, x > 1), sp.Or(y, x > 1), sp.Not(y)):
         with pytest.raises(Untreatable, match="no equation and no inequality"):
             prove(claim)
-    with pytest.raises(Untreatable, match="each condition stands in the list by itself"):
-        prove(x, 1, given=[sp.Or(sp.Eq(1 / x, 1), sp.Eq(x, 0))])  # where x is zero, the first says nothing
+    verdict = prove(x, 1, given=[sp.Or(sp.Eq(1 / x, 1), sp.Eq(x, 0))])
+    assert "x != 0" in verdict.needs  # where x is zero, the first says nothing
+
+
+JOINED: list[tuple[Any, Any, bool]] = [
+    (x**2 > 1, sp.Or(x > 1, x < -1), True),
+    (x**2 > 1, sp.Not(sp.And(x <= 1, x >= -1)), True),
+    (x > 0, [sp.Implies(y > 0, x > 0), y > 0], True),
+    (x > 0, sp.And(sp.Implies(y > 0, x > 0), y > 0), True),
+    (x * y >= 0, sp.Equivalent(x > 0, y > 0), True),
+    (x > 0, sp.ITE(y > 0, x > 1, x > 2), True),
+    (x >= 0, sp.Xor(x > 0, sp.Eq(x, y**2)), True),
+    (sp.Eq(sp.Abs(x * y), x * y), [sp.Or(x >= 0, y <= 0), sp.Or(x <= 0, y >= 0)], True),
+    (sp.ITE(x > 0, sp.Eq(sp.Abs(x), x), sp.Eq(sp.Abs(x), -x)), [], True),
+    (sp.ITE(x > 0, 1 / x > 0, x <= 0), [], True),
+    (x**2 > 2, sp.Or(x > 1, x < -1), False),
+    (x * y > 0, sp.Equivalent(x > 0, y > 0), False),
+    (sp.Eq(x, 1), sp.Or(sp.Ne(x, 1), sp.Eq(x, 2)), False),
+    (x > 1, sp.Implies(y > 0, x > 1), False),
+    (sp.ITE(x > 0, 1 / x > 1, x <= 0), [], False),
+]
+
+
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize(("claim", "given", "true"), JOINED, ids=str)
+def test_what_joins_relations_may_be_given(claim: Any, given: Any, true: bool) -> None:
+    verdict = prove(claim, given=given)
+    assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
+    recheck(verdict, claim, given=given)
+    if true and given:
+        with pytest.raises(Rejected):
+            recheck(verdict, claim)
+
+
+def test_what_is_given_of_cases_is_satisfied_by_a_point_or_proves_nothing() -> None:
+    assert not prove(x, y, given=sp.Or(x**2 < 0, y**2 < 0)).true
+    u = sp.Function("u")(x)  # which of them holds may change in time
+    with pytest.raises(Untreatable, match="no equation and no inequality"):
+        prove(u**2 >= 1, given=sp.Or(u >= 1, u <= -1))
+
+
+MONOTONE: list[tuple[Any, list[Any], bool]] = [
+    (asin(x) < asin(y), [x < y], True),
+    (acos(x) > acos(y), [x < y], True),
+    (sp.atanh(x) <= sp.atanh(y), [x <= y], True),
+    (x**5 < y**5, [x < y], True),
+    (-(x ** Rational(2, 3)) > -(y ** Rational(2, 3)), [x < y], True),
+    (2**x < 3**x, [x > 0], True),
+    (Rational(1, 2) ** x < Rational(1, 3) ** x, [x < 0], True),
+    (log(x) <= x - 1, [], True),
+    (log(exp(x) + 1) > x, [], True),
+    (sqrt(p) > log(p), [], True),
+    (floor(x) <= floor(y), [x <= y], True),
+    (floor(x) + floor(y) <= floor(x + y), [], True),
+    (floor(x + y) <= floor(x) + floor(y) + 1, [], True),
+    (sp.ceiling(x) <= sp.ceiling(y), [x <= y], True),
+    (n < floor(x), [x >= n + 1], True),
+    (acos(x) < acos(y), [x < y], False),
+    (-asin(x) < -asin(y), [x < y], False),
+    (x**4 < y**4, [x < y], False),
+    (2**x < 3**x, [], False),
+    (floor(x) < floor(y), [x < y], False),
+    (n < floor(x), [x > n], False),
+    (sp.ceiling(x) < n, [x < n], False),
+    (floor(x + y) <= floor(x) + floor(y), [], False),
+]
+
+
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize(("claim", "given", "true"), MONOTONE, ids=str)
+def test_what_rises_is_greater_where_its_argument_is(claim: Any, given: Any, true: bool) -> None:
+    verdict = prove(claim, given=given)
+    assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
+    recheck(verdict, claim, given=given)
+
+
+def test_what_rises_is_to_be_defined() -> None:
+    assert prove(log(x) <= x - 1).needs == ("x > 0",)
+    verdict = prove(asin(x) < asin(y), given=[x < y])
+    assert {"1 - x**2 >= 0", "1 - y**2 >= 0"} <= {*verdict.needs} or "d_1" in str(verdict.needs)
+    with pytest.raises(Rejected):
+        recheck(replace(verdict, needs=verdict.needs[:1]), asin(x) < asin(y), given=[x < y])
+    with pytest.raises(ValueError, match="an increasing function"):
+        verdict.coq("rises")
 
 
 def test_one_of_several_equations_may_be_given() -> None:

@@ -280,7 +280,7 @@ def test_both_sides_have_one_shape() -> None:
         ("x + 1", {}, r"^the left side is the text 'x \+ 1': hand in a SymPy expression"),
         (None, {}, "^the left side is None"),
         (Eq(x, 1), {}, "of type Equality: a scalar or a matrix is expected"),
-        (x, {"given": [sp.Or(x > 0, y > 0)]}, r"^given\[0\] is .*, which is no equation and no inequality"),
+        (x, {"given": [sp.Or(x > 0, y)]}, r"^given\[0\] is .*, which is no equation and no inequality"),
         (x, {"given": [False]}, r"^given\[0\] is False: write Eq\(a, b\)"),
         (x, {"given": [Eq(x, y), sp.LambertW(x)]}, r"^LambertW\(x\) is not treated"),
         (x, {"given": None}, r"^given is None: a list is expected"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from math import inf
@@ -16,11 +16,12 @@ from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.components import claimed, is_implication
+from chasles.from_sympy.components import claimed, is_implication, without_implication
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_possible
 from chasles.from_sympy.inequalities import Said, definitions
 from chasles.from_sympy.methods import WAYS, check
+from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
@@ -49,13 +50,14 @@ def prove(
     Args:
         lhs: a SymPy scalar or matrix, whose sizes may be letters, as in MatrixSymbol("A", n, n); a vector, dyadic or
             quaternion of SymPy's, a list or an array, which are read by their components, those of both sides in one
-            frame; or alone, an equation, an inequality, or what joins some by And, Or, Not, Implies and Equivalent.
+            frame; or alone, an equation, an inequality, or what joins some by And, Or, Not, Implies, Equivalent, ITE.
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
-            or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
-            among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1, of `a < x < b` as
-            x = (a + b d_1)/(1 + d_1), of `a <= x <= b` as x = a + (b - a) (1 + d_1)^2/(2 + 2 d_1^2) with any d_1, and
-            of an angle between two multiples of pi by its tangent, sine or direction.
+            or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities, and
+            what joins some, may be among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol
+            d_1, of `a < x < b` as x = (a + b d_1)/(1 + d_1), of `a <= x <= b` as
+            x = a + (b - a) (1 + d_1)^2/(2 + 2 d_1^2) with any d_1, and of an angle between two multiples of pi by its
+            tangent, sine or direction.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.
@@ -72,18 +74,28 @@ def prove(
     """
     given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
     verdict = _proved(lhs, rhs, given, nonzero, budget, exact)
-    if isinstance(verdict, Contradictory | Undecided) and is_implication(lhs, rhs, given):
-        with suppress(Untreatable):  # where the premise cannot hold
-            whole = _proved(lhs, rhs, given, nonzero, budget, exact, whole=True)
-            return whole if isinstance(whole, Holds | HoldsUnder | Fails) else verdict
+    for way in _other_ways(lhs, rhs, given) if isinstance(verdict, Contradictory | Undecided) else ():
+        with suppress(Untreatable):
+            other = _proved(lhs, rhs, given, nonzero, budget, exact, **way)
+            if isinstance(other, Holds | HoldsUnder | Fails):
+                return other
     return verdict
 
 
-def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, whole: bool = False) -> Verdict:
-    """The verdict; on an implication as a `whole`, or on its conclusion where its premise is given, too."""
+def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, bool]]:
+    """How else a claim is read: an implication as a whole, for its premise may not hold; an inequality plainly."""
+    if is_implication(lhs, rhs, given):
+        yield {"whole": True}
+    claim = without_implication(lhs, given)[0]
+    if rhs is None and plainer(claim) is not claim:
+        yield {"plain": True}
+
+
+def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: bool) -> Verdict:
+    """The verdict on a claim as it is read in one way."""
     try:
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
-        said = as_said(exact, lhs, rhs, given, nonzero, whole=whole)
+        said = as_said(exact, lhs, rhs, given, nonzero, **way)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         with within(seconds=budget):
@@ -103,7 +115,7 @@ def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: 
     if used := [text for text in (*definitions(said, asked), *sorted(poles), *calls.defined) if text in verdict.unused]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
-    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, whole)))
+    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, way.get("whole", False))))
 
 
 def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: Calls) -> tuple[Verdict, Said]:
@@ -146,14 +158,14 @@ def recheck(
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
     given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
-    try:
-        _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero))
-    except Untreatable as error:
-        raise Rejected(str(error)) from None
-    except Rejected:
-        if not is_implication(lhs, rhs, given):
-            raise
-        _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero, whole=True))
+    ways: list[Mapping[str, bool]] = [{}, *_other_ways(lhs, rhs, given)]
+    reasons: list[Exception] = []
+    for way in ways:
+        try:
+            return _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero, **way))
+        except (Untreatable, Rejected) as reason:
+            reasons.append(reason)
+    raise Rejected(str(reasons[0])) from None
 
 
 def _recheck(verdict: Verdict, said: Said) -> None:

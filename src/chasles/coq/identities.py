@@ -26,6 +26,8 @@ from chasles.coq.proof import theorem
 from chasles.coq.roots import root, words_named
 from chasles.coq.sentences import NOW, Claimed, claiming, equal_rates, holding, introduced
 from chasles.coq.turns import inverse, turned
+from chasles.from_sympy.components import sides_of
+from chasles.from_sympy.monotone import plainer
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
@@ -70,6 +72,8 @@ def as_theorem(
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
+        if claimed is not None and plainer(claimed) is not claimed and sides_of(claimed)[0] not in (lhs, *lhs.args):
+            raise Unsaid("no proof is written of what an increasing function of both sides says")
         question = as_asked((lhs, rhs, given, nonzero), claimed)
         needs = tuple(need for need in verdict.needs if need not in question.spelled)
         statement = ScalarStatement(question.asked, needs, question.values, claimed)

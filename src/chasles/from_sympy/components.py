@@ -22,6 +22,7 @@ from chasles.problems.variables import Untreatable
 LISTS = list, tuple, sympy.Tuple
 FRAMES, SYSTEMS, QUATERNIONS = "sympy.physics.vector", "sympy.vector", "sympy.algebras.quaternion"
 """The modules of SymPy's vectors in frames, of those in coordinate systems, and of quaternions."""
+JOINS = sympy.And | sympy.Or | sympy.Not | sympy.Implies | sympy.Equivalent | sympy.Xor | sympy.ITE
 
 
 def in_components(said: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -49,8 +50,7 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
     if isinstance(relation, sympy.Equality):
         return relation.lhs, relation.rhs
     if isinstance(relation, sympy.Unequality) or _joins_relations(relation):
-        joined = not isinstance(relation, sympy.Unequality)  # SymPy rewrites conditions that it joins
-        return sympy.Piecewise((1, relation), (0, True), evaluate=not joined), sympy.S.One
+        return _truth(relation), sympy.S.One
     if isinstance(relation, Relational) and not all(isinstance(side, sympy.Expr) for side in relation.args):
         raise Untreatable(f"{excerpt(relation)} compares what is no scalar")
     if isinstance(relation, sympy.GreaterThan | sympy.LessThan):
@@ -65,10 +65,21 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
     raise Untreatable(f"only one side is given, {excerpt(relation)}, which is {why}: {instead}")
 
 
+def _truth(claim: Any) -> Any:
+    """One where a claim is true, and zero where it is not."""
+    if isinstance(claim, sympy.ITE):
+        condition, *choices = claim.args
+        one, other = map(_truth, choices)
+        return sympy.Piecewise((one, condition), (other, True), evaluate=False)
+    joined = not isinstance(claim, sympy.Unequality)  # SymPy rewrites conditions that it joins
+    return sympy.Piecewise((1, claim), (0, True), evaluate=not joined)
+
+
 def _joins_relations(claim: Any) -> bool:
     """Whether a claim is made of equations and inequalities between scalars by and, or, not, if, and if and only if."""
-    joins = isinstance(claim, sympy.And | sympy.Or | sympy.Not | sympy.Implies | sympy.Equivalent | sympy.Xor)
+    joins = isinstance(claim, JOINS)
     parts = [part for part in claim.args if not _joins_relations(part)] if joins else [claim]
+    parts = [part for part in parts if part is not sympy.true and part is not sympy.false]
     return joins and all(isinstance(p, Relational) and isinstance(p.lhs - p.rhs, sympy.Expr) for p in parts)
 
 
@@ -149,9 +160,17 @@ def _condition(value: Any) -> Any:
         return type(value)(map(_condition, value))
     if isinstance(value, sympy.Or) and all(isinstance(e, sympy.Equality) and _is_entire(e) for e in value.args):
         value = sympy.Mul(*(e.lhs - e.rhs for e in value.args))  # one of them vanishes, and all are defined
+    elif _is_compound(value):
+        value = sympy.Eq(*sides_of(value), evaluate=False)
     if isinstance(value, sympy.Equality) and isinstance(value.lhs, sympy.Expr):
         return value.func(*map(sympy.sympify, _pair(*value.args)), evaluate=False)
     return _pair(value, sympy.S.Zero)[0]
+
+
+def _is_compound(condition: Any) -> bool:
+    """Whether relations are joined by more than a conjunction; a case may change in time, and is given at all times."""
+    parts = condition.args if isinstance(condition, sympy.And) else (condition,)
+    return _joins_relations(condition) and any(map(_joins_relations, parts)) and not condition.has(AppliedUndef)
 
 
 def _pair(one: Any, other: Any) -> Sequence[Any]:

@@ -48,17 +48,17 @@ def lost_in(said: Iterable[Any]) -> Iterator[Any]:
             elif part not in stands:
                 yield from (each for side in part.args for each in _partial(side))
             elif not isinstance(part, sympy.Equality):
-                yield from cancelled(part)
+                yield from cancelled(part, part)
 
 
-def cancelled(relation: Any) -> list[Any]:
-    """What may not be defined in one side of a relation, and is not in the difference of both."""
+def cancelled(relation: Any, plainer: Any) -> list[Any]:
+    """What may not be defined in one side of a relation, and is not in the difference of those for which it stands."""
     if not all(isinstance(side, sympy.Expr) and not side.is_Matrix for side in relation.args):
         return []
     parts = {part: None for side in relation.args for part in _partial(side)}
     if not parts:
         return []
-    difference = relation.lhs - relation.rhs
+    difference = plainer.lhs - plainer.rhs
     left = set(_partial(difference))
     spoken = {symbol for part in _partial(sympy.expand(difference)) for symbol in part.free_symbols}
     return [part for part in parts if part not in left or part.free_symbols - spoken]

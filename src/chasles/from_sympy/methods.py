@@ -57,7 +57,7 @@ def _verdict(*asked: Any) -> Verdict:
     if isinstance(by_cases, Undecided) and (of_nothing := _contradictory(given, nonzero)):
         return of_nothing
     if by_cases is not None and (by_cases.true or isinstance(by_cases, Fails) or not splitting.readable):
-        return (by_cases if not isinstance(by_cases, Undecided) else _refuted_where_forms_change(asked)) or by_cases
+        return _also_where_forms_change(by_cases, asked) if isinstance(by_cases, Undecided) else by_cases
     refused = None
     try:
         question = ask(*asked)
@@ -71,8 +71,8 @@ def _verdict(*asked: Any) -> Verdict:
     if isinstance(verdict, Undecided) and splitting.possible:
         again = by_cases or _followed(splitting.verdict(), asked)
         verdict = verdict if isinstance(again, Undecided) else again
-    if splitting.wanted and isinstance(verdict, HoldsUnder | Undecided):
-        verdict = _refuted_where_forms_change(asked) or verdict
+    if isinstance(verdict, HoldsUnder | Undecided | Contradictory):
+        verdict = _also_where_forms_change(verdict, asked)
     if isinstance(verdict, Undecided) and refused is not None:
         raise refused
     return verdict
@@ -89,15 +89,21 @@ def _contradictory(given: Any, nonzero: Any) -> Contradictory | None:
     return None
 
 
-def _refuted_where_forms_change(asked: tuple[Any, ...]) -> Verdict | None:
-    """A counterexample where that vanishes of which a sign is taken: the sign of zero is zero, and no quotient."""
+def _also_where_forms_change(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
+    """A counterexample where that vanishes of which a sign is taken: the sign of zero is zero, and no quotient.
+
+    Or the verdict, if there is none; but conditions that may hold there do not contradict each other.
+    """
     for there in where_forms_change(*asked):
+        found = None
         with suppress(Untreatable, OutOfTime):
             question = ask(*there)
             found = _followed(_answered(question), asked) if isinstance(question, Question) else question
-            if isinstance(found, Fails):
-                return found
-    return None
+        if isinstance(found, Fails):
+            return found
+        if isinstance(verdict, Contradictory) and not isinstance(found, Contradictory):
+            verdict = Undecided("what is given may hold where an angle is a half turn, or a sign is zero")
+    return verdict
 
 
 def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:

@@ -110,6 +110,7 @@ class Splitting:
         if tree is None and found is None:
             proof.needs, factors = {**before}, thresholds(whole)
             tree = proof.of(whole, factors) if factors else None
+            found = self._refuted_at(factors) if tree is None and refuting and still else None
         if tree is None and found is None and whole.switches():
             proof.needs, proof.decide = {**before}, by_squares(proof.decide)
             tree = proof.of(whole, named=True)
@@ -143,6 +144,15 @@ class Splitting:
             return None
         known = {atom: sympy.sympify(found[str(atom)]) for e in everything.values() for atom in atoms_of(e)}
         return {str(atom): exactly(e.xreplace(known)) for atom, e in everything.items()}
+
+    def _refuted_at(self, factors: Iterable[Any]) -> Counterexample | None:
+        """A point at which the sides differ where one of some factors vanishes."""
+        for factor in factors:
+            given = (*self._whole.pairs, (factor, sympy.S.Zero))
+            sampling = Sampling(self._left, self._right, self._rows, given, self._whole.nonzero, self._met)
+            if found := sampling.counterexample(few=True):
+                return found
+        return None
 
     def _refuted(self) -> Counterexample | None:
         """A point at which the sides differ where every function of which something is given has its value."""

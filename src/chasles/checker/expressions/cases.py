@@ -108,7 +108,8 @@ class CheckedCase:
             one, other = (self.sign(above), self.sign(below)) if below.free_symbols else (None, None)
             return one * other if one is not None and other else None
         constant, factors = factored(e)
-        if sympy.expand(constant * sympy.Mul(*(f**n for f, n in factors)) - e) != 0 or sum(n for _, n in factors) < 2:
+        alone = constant.is_Rational and sum(n for _, n in factors) < 2
+        if alone or sympy.expand(constant * sympy.Mul(*(f**n for f, n in factors)) - e) != 0:
             return None
         signs = [sign_of_number(constant), *(self.sign(factor) for factor, power in factors for _ in range(int(power)))]
         return None if None in signs else prod(sign for sign in signs if sign is not None)

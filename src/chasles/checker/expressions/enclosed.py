@@ -199,12 +199,12 @@ def sign_of_number(e: Any) -> int | None:
 
 
 def sign_of_multiple(e: Any, known: Any) -> int | None:
-    """The sign of the rational number by which one expression is a multiple of another, if it is one."""
-    (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
-    for sign in (1, -1):
-        if sympy.expand(rest - sign * same) == 0:
-            return int(sympy.sign(sign * one * other))
-    return None
+    """The sign of the number by which one expression is a multiple of another, if it is one."""
+    e, known = sympy.expand(e), sympy.expand(known)
+    number, part = sympy.Add.make_args(known)[-1].as_independent(*known.free_symbols, as_Add=False)
+    terms = (term.as_independent(*known.free_symbols, as_Add=False) for term in sympy.Add.make_args(e))
+    multiple = sum(n for n, other in terms if other == part) / number
+    return sign_of_number(multiple) if multiple and sympy.expand(e - multiple * known) == 0 else None
 
 
 def vanishes(e: Any) -> bool:
