@@ -143,6 +143,16 @@ def test_a_kernel_that_is_refused_is_told_by_file_and_line(told, declaration: st
     assert (text.count("\n"), status) == (1, 1)
 
 
+def test_derivations_that_are_not_listed_are_told(told, tmp_path: Path) -> None:
+    text, status = told("", "list")
+    assert (text, status) == ("", 0)
+    (folder,) = tmp_path.iterdir()
+    (folder / "roads").mkdir()
+    done = CliRunner().invoke(main, ["--chapter", str(folder), "derive"], prog_name="chasles")
+    assert "roads lists no modules: give its __init__.py ROADS" in done.stderr
+    assert (done.stderr.count("\n"), done.exit_code) == (1, 2)
+
+
 @pytest.mark.parametrize("given", ["(before,)", "(known, before)"])
 def test_what_cannot_be_given_leaves_undecided_where(told, given: str) -> None:
     text, status = told(f'{FREE_STILL}made = Claim("1.2",\n    x, x, given={given})', "decide")

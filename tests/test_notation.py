@@ -12,6 +12,8 @@ import pytest
 from latex2mathml.converter import convert
 
 from chasles.report.html.formulas import latex_for_mathml
+from chasles.statements import symmetric, unit
+from chasles.statements.matrices import invertible, orthonormal_columns, skew_symmetric
 from chasles.vocabulary import (
     CPM,
     Identity,
@@ -121,6 +123,14 @@ def test_words_are_printed_in_the_forms_of_their_chapter(own: ModuleType) -> Non
         (rate(a), r"\frac{d \mathbf{a}}{d t}"),
         (sin(s) * R, r"\mathrm{s}_{\sigma} \mathbf{R}"),
     ]
+    for hypothesis, printed in [
+        (unit(a), r"|\mathbf{a}| = 1"),
+        (symmetric(R), r"\mathbf{R} = \mathbf{R}^\top"),
+        (skew_symmetric(R), r"\mathbf{R} = -\mathbf{R}^\top"),
+        (orthonormal_columns(R), r"\mathbf{R}^\top \mathbf{R} = I_{3}"),
+        (invertible(R), r"\left|\mathbf{R}\right| \neq 0"),
+    ]:
+        assert hypothesis.latex == printed
     for node, printed in table:
         assert latex(node) == printed
         assert "<math" in convert(latex_for_mathml(node))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 from math import factorial, inf
@@ -18,7 +19,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from chasles.decisions.session import Session
 from chasles.lowering.cost import roundings
+from chasles.lowering.declaration import requested
+from chasles.lowering.lower import program_of
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.numerics.draws import CONTEXT, turned, unit_of
 from chasles.numerics.reference import MissingValue, Singular, evaluate
@@ -71,6 +75,7 @@ from chasles.vocabulary import (
     vect,
     vector,
 )
+from chasles.vocabulary.functions import sqrt
 
 Array = NDArray[Any]
 
@@ -534,6 +539,20 @@ def test_what_has_no_value_is_not_drawn_and_what_has_no_float_is_skipped() -> No
     assert evidence.skipped == 0
     large = specification_of("q", Claim("1", 10**320 * quotient, 10**320 * quotient, kernel=Kernel(of=(phi,))))
     assert verify(large, lambda x: np.float64(np.inf), samples=10).skipped == 30
+
+
+def test_what_is_given_brings_what_it_is_given() -> None:
+    """A kernel and its value use the definitions behind those given; where a divisor is not real, there is no input."""
+    side, tangent, slope, height = (scalar(name, name, "") for name in ("s", "t", "q", "h"))
+    first = Definition("1", side, sqrt(1 - phi**2))
+    second = Definition("2", tangent, phi / side, given=(first,))
+    third = Definition("3", slope, 2 * tangent, given=(second,))
+    claim = Claim("4", height, slope + 1, given=(Definition("5", height, 1 + slope, given=(third,)),))
+    kernel = Kernel(of=(phi,), name="height")
+    asked = specification_of("height", replace(claim, kernel=kernel))
+    assert verify(asked, lambda x: 1 + 2 * x / np.sqrt(1 - x * x), samples=40, strategies=("simple",)).passed
+    program = program_of(requested(replace(claim, kernel=kernel), Session().decide))
+    assert [argument.name for argument in program.arguments] == ["phi"]
 
 
 def test_batches_are_compared_like_single_calls() -> None:

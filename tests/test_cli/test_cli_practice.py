@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import shlex
+import sys
 from pathlib import Path
 
 import pytest
@@ -21,6 +23,17 @@ def test_new_data_are_those_of_the_seed(run) -> None:
         "Check an answer:\n  chasles practice 3.5 --seed 4 --check answer.json\n"
         in run("practice", "3.5", "--seed", "4").stdout
     )
+
+
+@pytest.mark.parametrize("called", ["./asked_here", "{here}/my own/asked_elsewhere", "asked_by_name"])
+def test_the_command_that_checks_names_the_chapter_as_it_was_named(run, tmp_path: Path, monkeypatch, called) -> None:
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    (tmp_path / "my own").mkdir()
+    monkeypatch.chdir(tmp_path / "my own")
+    named = called.format(here=tmp_path)
+    assert run("new", Path(named).name).exit_code == 0
+    *_, command = run("--chapter", named, "practice", "1").stdout.splitlines()
+    assert shlex.split(command)[:4] == ["chasles", "--chapter", named, "practice"]
 
 
 def test_a_right_answer_passes(run, tmp_path: Path) -> None:

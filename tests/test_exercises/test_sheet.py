@@ -31,6 +31,7 @@ from chasles.statements import Claim, Condition, load, rotation
 from chasles.statements.exercises import exercise_numbers
 from chasles.verdict import Undecided
 from chasles.vocabulary import CPM, cos, cross, det, dot, inverse, norm, number, over, rate, row, sin, tr, vect
+from chasles.vocabulary.functions import arccos, arcsin, arctan, atan2, cases, exp, maximum, minimum, sign, sqrt
 
 from .known import same
 
@@ -57,6 +58,15 @@ TURN = matrix_of([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
         (row(a, a_) @ row(a, a_).T, [17, 22, 27, 22, 29, 36, 27, 36, 45]),
         (norm(a) ** 2, [14]),
         (cos(phi) + sin(over(phi, 2)), [HALF + HALF]),
+        (sqrt(3 - cos(phi)), [sp.sqrt(10) / 2]),
+        (abs(a.x - a_.x), [3]),
+        (sign(a.x - a_.x), [-1]),
+        (maximum(a.x, a.z, a.y) - minimum(a_.y, a_.x), [-1]),
+        (arccos(-cos(phi)), [2 * sp.pi / 3]),
+        (arcsin(-cos(phi)), [-sp.pi / 6]),
+        (arctan(-a.x / a.x), [-sp.pi / 4]),
+        (atan2(0 * a.x, -a.x), [sp.pi]),
+        (cases((a, a.x > a.y), (2 * a, a.x <= a.y), otherwise=3 * a), [2, 4, 6]),
     ],
 )
 def test_every_word_has_its_value(node: object, expected: list) -> None:
@@ -75,6 +85,12 @@ def test_what_has_no_value_is_named() -> None:
         evaluate(inverse(I_C), {I_C: sp.zeros(3, 3)})
     with pytest.raises(ValueError, match="a is 3 x 1, and its value is 2 x 1"):
         evaluate(a, {a: column_of(1, 2)})
+    with pytest.raises(ValueError, match="square root of -1, which is negative"):
+        evaluate(sqrt(-phi), {phi: sp.Integer(1)})
+    with pytest.raises(ValueError, match=r"atan2\(0, 0\) is no angle"):
+        evaluate(atan2(phi, phi), {phi: sp.Integer(0)})
+    with pytest.raises(TypeError, match=r"exp.* has no exact value here"):
+        evaluate(exp(phi), {phi: sp.Integer(1)})
 
 
 def test_a_step_binds_the_left_side_and_cites_the_number() -> None:

@@ -20,7 +20,7 @@ PRINTED_SO = "if the book prints it so, write printed(lambda: ...) around it, an
 
 def chapter() -> Chapter:
     """The chapter of `--chapter`, or the book. Raises Failure, with the place of a declaration that is wrong."""
-    package = _package()
+    package = chapter_named()
     if package != BOOK and str(Path.cwd()) not in sys.path:
         # Last, so that no module here stands in the way of one that is installed.
         sys.path.append(str(Path.cwd()))
@@ -46,16 +46,16 @@ def chapter() -> Chapter:
 
 def place(error: Exception) -> str | None:
     """File and line of the chapter of `--chapter` in which the error arose, if it arose in one."""
-    return None if _package() == BOOK else _place(error, _package())
+    return None if chapter_named() == BOOK else _place(error, chapter_named())
 
 
 def package_chosen() -> str:
     """The package of the chapter, which is loaded if it is not the book."""
-    return BOOK if _package() == BOOK else chapter().package
+    return BOOK if chapter_named() == BOOK else chapter().package
 
 
-def _package() -> str:
-    """The package that `--chapter` names, else the book."""
+def chapter_named() -> str:
+    """What `--chapter` names, a package or a folder, else the book."""
     context = click.get_current_context(silent=True)
     return (context and context.find_root().params.get("chapter")) or BOOK
 

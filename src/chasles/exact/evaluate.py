@@ -13,8 +13,10 @@ import sympy as sp
 
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
+from chasles.exact.functions import compares, value_of
 from chasles.exact.numbers import is_zero, normal, root
 from chasles.vocabulary import PI, At, Call, Dot, Group, Inverse, Misfit, Node, Norm, Rate, Symbol, plain
+from chasles.vocabulary.functions import Cases, FunctionOf
 
 Value = Any
 """A number or a matrix as SymPy, which has no types, holds it."""
@@ -85,8 +87,20 @@ class _ExactValues(Interpreter):
                 return [[root(self.scalar(Dot(of, of)))]]
             case Call("sin" | "cos" as function, argument):
                 return [[getattr(sp, function)(self.scalar(argument))]]
+            case FunctionOf(function, arguments) if (
+                value := value_of(function, [*map(self.scalar, arguments)])
+            ) is not None:
+                return [[value]]
+            case Cases():
+                return self(self._case(node))
             case _:
                 raise TypeError(f"{plain(node)} ({type(node).__name__}) has no exact value here")
+
+    def _case(self, node: Cases) -> Node:
+        """The first of the values whose condition holds."""
+        rows = zip(node.values, node.left, node.signs, node.right, strict=False)
+        held = (value for value, one, sign, other in rows if compares(self.scalar(one), sign, self.scalar(other)))
+        return next(held, node.values[-1])
 
     def _given(self, node: Node) -> Matrix:
         value = self._values[node]

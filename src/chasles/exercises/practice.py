@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from json import dumps
 from os import PathLike
+from shlex import quote
 from typing import Any
 
 from chasles.exact.spelling import as_data
@@ -16,7 +17,6 @@ from chasles.exercises.grading import Grade, graded, new_data
 from chasles.exercises.solution import Solution
 from chasles.exercises.solving import solved_on_sheet
 from chasles.exercises.worksheet import Worksheet
-from chasles.statements.elsewhere import chapter_of
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import UnknownExercise
 from chasles.statements.exercises import exercise as find_exercise
@@ -32,10 +32,14 @@ EXACT = (
 
 @dataclass(frozen=True, repr=False)
 class Practice:
-    """A task: the exercise and which data are drawn. The same seed draws the same data."""
+    """A task: the exercise and which data are drawn. The same seed draws the same data.
+
+    `chapter` is the package or folder that has the exercise, as it was asked for.
+    """
 
     exercise: Exercise
     seed: int
+    chapter: str = BOOK
 
     @cached_property
     def drawn(self) -> dict[str, Any]:
@@ -92,8 +96,7 @@ class Practice:
         yield "As JSON, with ? replaced:"
         yield "{" + ",\n ".join(f"{dumps(name)}: {dumps(blank)}" for name, blank in whole["template"].items()) + "}"
         yield "Check an answer:"
-        package = chapter_of(self.exercise)
-        chapter = "" if package == BOOK else f" --chapter {package}"
+        chapter = "" if self.chapter == BOOK else f" --chapter {quote(self.chapter)}"
         yield f"  chasles{chapter} practice {whole['exercise']} --seed {self.seed} --check answer.json"
 
     def __repr__(self) -> str:
@@ -121,12 +124,12 @@ def practice(exercise: str, seed: int = 1, chapter: str | PathLike[str] = BOOK) 
     """
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise DataError(f"seed: expected an integer that is not negative, and got {seed!r}")
-    return _task(str(exercise), seed, imported(chapter).__name__)
+    return _task(str(exercise), seed, imported(chapter).__name__, str(chapter))
 
 
 @lru_cache(maxsize=WARM)
-def _task(exercise: str, seed: int, chapter: str) -> Practice:
-    found = Practice(find_exercise(exercise, chapter), seed)
+def _task(exercise: str, seed: int, package: str, chapter: str) -> Practice:
+    found = Practice(find_exercise(exercise, package), seed, chapter)
     new_data(found.exercise, seed)
     return found
 

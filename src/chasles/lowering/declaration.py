@@ -12,6 +12,7 @@ from chasles.lowering.request import Output, Request, composed
 from chasles.lowering.rewriting import Angle
 from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Packed, Statement, Theorem
 from chasles.statements.arrays import argument_name, meaning_of, variants
+from chasles.statements.definitions import definitions_behind
 from chasles.statements.statement import bare, is_rule
 from chasles.verdict import Contradictory, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Block, Group, Node, Symbol, members_of, undotted
@@ -51,6 +52,9 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     definitions = _Definitions()
     for given in sentence.given:
         _define(definitions, given, decide)
+    for given in definitions_behind(sentence.given):
+        if bare(given.left) not in definitions.rules:
+            _define(definitions, given, decide)
     if isinstance(sentence, Inverse):
         _define(definitions, sentence, decide)
         outputs = _outputs_of_inverse(name, sentence, kernel)

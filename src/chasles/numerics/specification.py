@@ -13,6 +13,7 @@ from chasles.evaluation.matrices import Matrix
 from chasles.numerics.reference import MissingValue, Singular, Undetermined, evaluate
 from chasles.statements import Hypothesis, Inverse, Kernel, Packed, Statement, problem_of, symmetric
 from chasles.statements.arrays import argument_name, core_shape, places_of, variants
+from chasles.statements.definitions import rules_behind
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.kernel import Argument, nodes_of
 from chasles.statements.posing import default_sides
@@ -90,7 +91,7 @@ class Specification:
         return tuple(node for given in self.inputs for node in given.nodes)
 
     def admits(self, values: Values) -> bool:
-        """Whether nothing vanishes that a hypothesis on the inputs says does not."""
+        """Whether nothing vanishes, or is not real, that a hypothesis on the inputs says does not vanish."""
         for hypothesis in self.hypotheses:
             for node in hypothesis.nonvanishing:
                 try:
@@ -98,7 +99,7 @@ class Specification:
                         return False
                 except MissingValue:
                     continue
-                except Singular:
+                except (Singular, ValueError, Undetermined):
                     return False
         return True
 
@@ -120,7 +121,7 @@ def specification_of(
     kernel = kernel or kernel_asked_by(statement, name)
     left, right = accepted(statement)
     problem = problem_of(statement.saying(left, right), "printed", accepted)
-    rules = dict(problem.rules)
+    rules = {**rules_behind(statement.given, accepted), **dict(problem.rules)}
     parts = _parts(statement, kernel, right)
     names = results or kernel.results or (plain(statement.left),)
     packed = bare(statement.left) in kernel.symmetric

@@ -18,6 +18,7 @@ from chasles.numerics.specification import (
 )
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
+from chasles.statements.definitions import rules_behind
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.posing import default_sides
 from chasles.statements.statement import bare, is_rule
@@ -43,7 +44,8 @@ def specification_of_inverse(
     the inputs are the rounding. Raises TypeError if the inverse asks for no kernel.
     """
     kernel = kernel or kernel_asked_by(sentence, name)
-    rules = dict(_rule(given, accepted) for given in sentence.given if is_rule(given))
+    direct = dict(_rule(given, accepted) for given in sentence.given if is_rule(given))
+    rules = {**rules_behind(sentence.given, accepted), **direct}
     names = results or kernel.results or map(plain, sentence.gives)
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:

@@ -17,7 +17,7 @@ from rich.table import Table
 from rich.text import Text
 
 from chasles.decisions.session import Decision
-from chasles.report.details import indented, number_in_words, objections, printed
+from chasles.report.details import indented, number_in_words, objections, printed, said_of
 from chasles.report.findings import SLIPS, Pairs, slips
 from chasles.report.screen import Screen
 from chasles.report.words import VERDICTS, labelled, number_of, seconds
@@ -41,7 +41,7 @@ def verdict_table(screen: Screen, decided: Pairs) -> Iterator[RenderableType]:
             table.add_row()
             table.add_row(Text(f"Section {section.number}", "bold"), "", Text(section.title, "bold"))
         verdict = labelled(decision.verdict, screen.signs)
-        table.add_row(Text(_short(entry)), verdict, Text(entry.statement.says), Text(_needs(decision)))
+        table.add_row(Text(_short(entry)), verdict, Text(said_of(entry)), Text(_needs(decision)))
     yield table
 
 
@@ -67,7 +67,7 @@ def _list(screen: Screen, decided: Pairs) -> Iterator[RenderableType]:
             yield Text.assemble("\n", (f"Section {section.number} {section.title}", "bold"))
         verdict, needs = labelled(decision.verdict, screen.signs), _needs(decision)
         yield Text.assemble((_short(entry), "bold"), "  ", verdict, " " if needs else "", needs)
-        yield Padding(Text(entry.statement.says), (0, 0, 0, 2))
+        yield Padding(Text(said_of(entry)), (0, 0, 0, 2))
 
 
 def _needs(decision: Decision) -> str:
@@ -108,7 +108,7 @@ def _add(table: Table, cells: tuple[Text, Text, Text]) -> None:
 
 
 def _said(parts: list[Entry]) -> Text:
-    text = Text(parts[0].statement.says)
+    text = Text(said_of(parts[0]))
     if len(parts) > 1:
         text.append(f" ({len(parts)} parts)", "dim")
     names = [kernel.name for part in parts for kernel in part.kernels]

@@ -37,7 +37,13 @@ def printed(entry: Entry, latex: bool = False) -> Lines:
         yield from ((label, equation) for equation in in_words(entry.statement))
     if latex:
         yield from (("LaTeX", equation) for equation in in_latex(entry.statement))
-    yield "says", entry.statement.says
+    if entry.statement.says:
+        yield "says", entry.statement.says
+
+
+def said_of(entry: Entry) -> str:
+    """What a statement says, in words where it has any, else as its equations."""
+    return entry.statement.says or "; ".join(in_words(entry.statement))
 
 
 def rests_on(entry: Entry, decision: Decision) -> Lines:

@@ -15,13 +15,16 @@ ROADS = "roads"
 def declared_derivations(chapter: str = BOOK) -> dict[str, Derivation]:
     """The derivations that a chapter's package `roads` declares, by name, in the order of its modules `ROADS`.
 
-    A chapter without such a package has none. Raises `DeclarationError` for a name that is given twice.
+    A chapter without such a package has none. Raises `DeclarationError` for a name that is given twice, and for a
+    package that does not list its modules.
     """
     package = f"{chapter}.{ROADS}"
     if find_spec(package) is None:
         return {}
     book = import_module(package)
     found: dict[str, Derivation] = {}
+    if not hasattr(book, "ROADS"):
+        raise DeclarationError(f'{package} lists no modules: give its __init__.py ROADS = ("r01_...",)')
     for module in book.ROADS:
         for name, derivation in _declared(f"{package}.{module}"):
             if found.setdefault(name, derivation) is not derivation:

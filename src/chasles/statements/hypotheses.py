@@ -54,13 +54,17 @@ class Hypothesis(Declared):
 def said_of(
     kind: str,
     subjects: tuple[Node, ...],
-    letters: str,
+    letters: str | tuple[Node, Node],
     words: str,
     *equations: tuple[Node, Node],
     nonvanishing: tuple[Node, ...] = (),
 ) -> Hypothesis:
-    """The hypothesis, said in LaTeX and in plain text with the subjects at {0}, {1} and {2}."""
-    said = letters.format(*map(latex, subjects)), words.format(*map(w.plain, subjects))
+    """The hypothesis, said in LaTeX and in plain text with the subjects at {0}, {1} and {2}.
+
+    Letters that are two sides are printed as an equation, in the notation of the chapter.
+    """
+    printed = letters.format(*map(latex, subjects)) if isinstance(letters, str) else latex(*letters)
+    said = printed, words.format(*map(w.plain, subjects))
     return Hypothesis(kind, subjects, equations, nonvanishing, *said)
 
 
@@ -84,7 +88,8 @@ def _scalar(subject: Node, kind: str) -> None:
 def unit(vector: Node) -> Hypothesis:
     """The vector has length one."""
     _symbols("unit", vector)
-    return said_of("unit", (vector,), r"\|{0}\| = 1", "|{0}| = 1", (w.Dot(vector, vector), w.Number(Fraction(1))))
+    one = w.Number(Fraction(1))
+    return said_of("unit", (vector,), (w.Norm(vector), one), "|{0}| = 1", (w.Dot(vector, vector), one))
 
 
 @declaring
@@ -117,7 +122,8 @@ def positive(quantity: Node) -> Hypothesis:
 def symmetric(matrix: Node) -> Hypothesis:
     """The matrix equals its transpose."""
     _symbols("symmetric", matrix)
-    return said_of("symmetric", (matrix,), "{0} = {0}^T", "{0} is symmetric", (matrix, w.Transpose(matrix)))
+    equation = (matrix, w.Transpose(matrix))
+    return said_of("symmetric", (matrix,), equation, "{0} is symmetric", equation)
 
 
 @declaring
@@ -127,11 +133,8 @@ def definite(matrix: Node) -> Hypothesis:
     The equations of a proof use its symmetry, and that its determinant is not zero; a sum of squares, x . M x itself.
     """
     _symbols("definite", matrix)
-    letters, words, equation = (
-        r"{0} \text{{ positive-definite}}",
-        "{0} is positive-definite",
-        (matrix, w.Transpose(matrix)),
-    )
+    letters, words = r"{0} \text{{ positive-definite}}", "{0} is positive-definite"
+    equation = (matrix, w.Transpose(matrix))
     return said_of("definite", (matrix,), letters, words, equation, nonvanishing=(w.Determinant(matrix),))
 
 

@@ -8,7 +8,7 @@ from typing import TypeVar
 from chasles.statements.hypotheses import Hypothesis, said_of
 from chasles.statements.kernel import Kernel
 from chasles.statements.statement import Statement
-from chasles.vocabulary import Contract, Determinant, Identity, Misfit, Negative, Node, Symbol, Transpose
+from chasles.vocabulary import Contract, Determinant, Identity, Misfit, Negative, Node, Symbol, Transpose, latex, plain
 from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.sizes import at_sizes
 
@@ -18,7 +18,9 @@ _S = TypeVar("_S", bound=Statement)
 @declaring
 def invertible(matrix: Node) -> Hypothesis:
     """The matrix has an inverse."""
-    return said_of("nonzero", (matrix,), r"\det {0} \neq 0", "{0} is invertible", nonvanishing=(Determinant(matrix),))
+    determinant = Determinant(matrix)
+    printed = rf"{latex(determinant)} \neq 0"
+    return Hypothesis("nonzero", (matrix,), (), (determinant,), printed, f"{plain(matrix)} is invertible")
 
 
 @declaring
@@ -33,21 +35,21 @@ def orthogonal(matrix: Symbol) -> Hypothesis:
 def orthonormal_columns(matrix: Symbol) -> Hypothesis:
     """The columns of the matrix have length one, and are at right angles to each other."""
     equation = (Transpose(matrix) @ matrix, Identity(matrix.shape[1]))
-    letters, words = r"{0}^T {0} = \mathbf{{1}}", "{0} has orthonormal columns"
-    return said_of("orthonormal columns", (matrix,), letters, words, equation)
+    return said_of("orthonormal columns", (matrix,), equation, "{0} has orthonormal columns", equation)
 
 
 @declaring
 def skew_symmetric(matrix: Symbol) -> Hypothesis:
     """The matrix is the negative of its transpose."""
     equation = (matrix, Negative(Transpose(matrix)))
-    return said_of("skew-symmetric", (matrix,), "{0} = -{0}^T", "{0} is skew-symmetric", equation)
+    return said_of("skew-symmetric", (matrix,), equation, "{0} is skew-symmetric", equation)
 
 
 @declaring
 def idempotent(matrix: Symbol) -> Hypothesis:
     """The matrix is its own square, as a projection is."""
-    return said_of("idempotent", (matrix,), "{0}^2 = {0}", "{0} is idempotent", (matrix @ matrix, matrix))
+    equation = (matrix @ matrix, matrix)
+    return said_of("idempotent", (matrix,), equation, "{0} is idempotent", equation)
 
 
 @declaring
@@ -56,7 +58,7 @@ def commuting(one: Symbol, other: Symbol) -> Hypothesis:
     if one.shape != other.shape:
         raise Misfit(f"{one} and {other} cannot commute: they are of different size")
     equation = (Contract((one, other)), Contract((other, one)))
-    return said_of("commuting", (one, other), "{0} {1} = {1} {0}", "{0} and {1} commute", equation)
+    return said_of("commuting", (one, other), equation, "{0} and {1} commute", equation)
 
 
 @declaring

@@ -100,8 +100,8 @@ def plain(node: Node) -> str:
     return spell(node, _Plain()).text
 
 
-def latex(node: Node) -> str:
-    """The expression in LaTeX, spelled as its author did, in the notation of the chapter that declares its symbols."""
+def latex(*sides: Node) -> str:
+    """The sides of an equation, or one, in LaTeX as its author spelled them, in the notation of the first's chapter."""
     from chasles.vocabulary.typesetting import typeset
 
-    return typeset(node)
+    return " = ".join(typeset(side, sides[0]) for side in sides)

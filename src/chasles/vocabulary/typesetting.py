@@ -172,6 +172,6 @@ def _decorations(text: str) -> Iterator[tuple[int, str]]:
             yield position, mark
 
 
-def typeset(node: Node) -> str:
-    """The expression in LaTeX, spelled as its author did, in the notation of its chapter."""
-    return spell(node, Latex(notation_of(node))).text
+def typeset(node: Node, beside: Node) -> str:
+    """The expression in LaTeX, spelled as its author did, in the notation of the chapter of what it stands beside."""
+    return spell(node, Latex(notation_of(beside))).text

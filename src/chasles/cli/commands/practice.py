@@ -11,7 +11,7 @@ import click
 
 from chasles.cli import completing
 from chasles.cli.book import as_data, print_data
-from chasles.cli.chosen_chapter import package_chosen
+from chasles.cli.chosen_chapter import chapter_named, package_chosen
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
 
@@ -44,11 +44,12 @@ def command(
     from chasles.exercises.practice import grade_lines, practice
     from chasles.statements.exercises import UnknownExercise
 
-    package = package_chosen()
+    package_chosen()
+    chapter = chapter_named()
     try:
         if batch is not None:
-            return _graded_lines(grade_lines(text_of_file(batch).splitlines(), exercise, package))
-        task = practice(exercise, seed, package)
+            return _graded_lines(grade_lines(text_of_file(batch).splitlines(), exercise, chapter))
+        task = practice(exercise, seed, chapter)
         marks = None if check is None else task.grade(_answers(read_json(text_of_file(check))), rtol, digits)
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
