@@ -82,48 +82,46 @@ static ptrdiff_t size_of(const chasles_loop *loop, int k)
     return loop->number * loop->shapes[k].rows * loop->shapes[k].columns;
 }
 
-/* The steps along the rows and columns of an operand, and whether its items are row-major without gaps. */
+/* The size of an operand's items, the steps along their rows and columns, whether they are row-major without gaps, and
+ * whether moreover they lie one after the other. */
 typedef struct {
+    ptrdiff_t size;
     ptrdiff_t down;
     ptrdiff_t across;
     int dense;
+    int packed;
 } Stride;
 
-/* The strides that `core` says; without gaps where it is NULL. */
-static void find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride *strides)
+/* The strides that `core` says, without gaps where it is NULL; gives whether the items of each operand are packed. */
+static int find_strides(const chasles_loop *loop, const ptrdiff_t *steps, const ptrdiff_t *core, Stride *strides)
 {
+    int packed = 1;
     for (int k = 0; k < loop->operands; k++) {
         const chasles_shape shape = loop->shapes[k];
-        const ptrdiff_t row = loop->number * shape.columns;
+        const ptrdiff_t row = loop->number * shape.columns, size = row * shape.rows;
         const ptrdiff_t down = core != NULL && shape.axes == 2 ? *core++ : row;
         const ptrdiff_t across = core != NULL && shape.axes >= 1 ? *core++ : loop->number;
         const int dense = (shape.columns == 1 || across == loop->number) && (shape.rows == 1 || down == row);
+        strides[k].size = size;
         strides[k].down = dense ? row : down;
         strides[k].across = dense ? loop->number : across;
         strides[k].dense = dense;
+        strides[k].packed = dense && steps[k] == size;
+        packed &= strides[k].packed;
     }
+    return packed;
 }
 
-/* Whether blocks take the items of operand k as they lie: without gaps in them or, unless their level is for these
+/* Whether blocks take the items of an operand as they lie: without gaps in them or, unless their level is for these
  * alone, wherever their numbers are, if there are as many items as a register holds. */
-static int is_taken(const chasles_loop *loop, int k, ptrdiff_t step, Stride stride, int level, ptrdiff_t count)
+static int is_taken(const chasles_loop *loop, Stride stride, int level, ptrdiff_t count)
 {
     if (level == 2 && !loop->gaps) {
-        return stride.dense && step == size_of(loop, k);
+        return stride.packed;
     }
     /* Blocks that round from double may be behind a loop of floats, and know items alone. */
     const int knows_rows = CHASLES_VECTORS && (loop->gaps < 2 || loop->number == (ptrdiff_t)sizeof(double));
     return stride.dense || (knows_rows && count >> shift_of(loop, level) > 0);
-}
-
-/* Whether the items of each operand lie one after the other. */
-static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps, const Stride *strides)
-{
-    int packed = 1;
-    for (int k = 0; k < loop->operands; k++) {
-        packed &= strides[k].dense && steps[k] == size_of(loop, k);
-    }
-    return packed;
 }
 
 /* The first byte of operand k and the one after its last. */
@@ -131,7 +129,7 @@ static void find_range(
     const chasles_loop *loop, int k, ptrdiff_t count, const char *at, ptrdiff_t step, Stride stride, uintptr_t *range)
 {
     const ptrdiff_t last = (count - 1) * step;
-    ptrdiff_t low = last < 0 ? last : 0, high = (last > 0 ? last : 0) + (stride.dense ? size_of(loop, k) : loop->number);
+    ptrdiff_t low = last < 0 ? last : 0, high = (last > 0 ? last : 0) + (stride.dense ? stride.size : loop->number);
     if (!stride.dense) {
         const ptrdiff_t down = (loop->shapes[k].rows - 1) * stride.down;
         const ptrdiff_t across = (loop->shapes[k].columns - 1) * stride.across;
@@ -337,17 +335,19 @@ static int streamed_output(
 {
     int widest = loop->inputs;
     for (int k = widest; k < loop->operands; k++) {
-        widest = size_of(loop, k) > size_of(loop, widest) ? k : widest;
+        widest = strides[k].size > strides[widest].size ? k : widest;
     }
-    const ptrdiff_t size = size_of(loop, widest);
+    const ptrdiff_t size = strides[widest].size;
+    if (size < CHASLES_WIDE * loop->number || count * size < CHASLES_STREAMED) {
+        return -1;
+    }
     ptrdiff_t read = 0;
     for (int k = 0; k < loop->inputs; k++) {
-        read += steps[k] == 0 ? 0 : size_of(loop, k);
+        read += steps[k] == 0 ? 0 : strides[k].size;
     }
-    const int many = size >= CHASLES_WIDE * loop->number && count * size >= CHASLES_STREAMED;
     const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE && loop->gaps < 2;
     const int saves = size > read && CHASLES_STREAMS;
-    return many && fits && saves && strides[widest].dense && steps[widest] == size ? widest : -1;
+    return fits && saves && strides[widest].packed ? widest : -1;
 }
 
 /* Waits until what went around the cache is where others see it. */
@@ -390,6 +390,7 @@ static void advance(Run *run, const Part *part, ptrdiff_t items, const chasles_s
     }
 }
 
+/* The rest begins so many items later. */
 static void go_on(Run *run, ptrdiff_t items)
 {
     for (int k = 0; k < run->loop->operands; k++) {
@@ -402,7 +403,7 @@ static const chasles_stream nothing = {NULL, NULL, 0, 0};
 /* Computes items where they lie; gives how many of the rest. */
 static ptrdiff_t run_in_place(Run *run, ptrdiff_t left)
 {
-    const ptrdiff_t most = left > CHASLES_BLOCK ? CHASLES_BLOCK : left;
+    const ptrdiff_t most = left > run->loop->most ? run->loop->most : left;
     const ptrdiff_t items = most >> run->shift << run->shift;
     advance(run, &run->rest, items, &nothing);
     go_on(run, items);
@@ -458,13 +459,6 @@ static ptrdiff_t run_streamed(Run *run, int k, ptrdiff_t left, char *store)
     return done;
 }
 
-static void step_back(Run *run, ptrdiff_t items)
-{
-    for (int k = 0; k < run->loop->operands; k++) {
-        run->rest.at[k] -= items * run->rest.steps[k];
-    }
-}
-
 void chasles_run(
     const chasles_loop *loop, int level, ptrdiff_t count, char *const *at, const ptrdiff_t *steps, const ptrdiff_t *core)
 {
@@ -475,28 +469,27 @@ void chasles_run(
     Stride strides[CHASLES_OPERANDS];
     Run run;
     int in_place_each[CHASLES_OPERANDS];
-    find_strides(loop, core, strides);
+    const int packed = find_strides(loop, steps, core, strides);
     const int over = overlaps(loop, count, at, steps, strides);
     int lies_well = !over;
     for (int k = 0; k < loop->operands; k++) {
         say_steps(loop, &run.rest, k, steps[k], strides[k].down, strides[k].across);
-        lies_well &= is_taken(loop, k, steps[k], strides[k], 1, count);
+        lies_well &= packed || is_taken(loop, strides[k], 1, count);
     }
     if (level == 2 && !loop->gaps) {
         /* Such blocks take items without gaps; by narrower registers few items are computed, and what has gaps. */
-        const int packed = is_packed(loop, steps, strides);
         level = count >> shift_of(loop, level) == 0 || (lies_well && !packed) ? 1 : 2;
         lies_well = lies_well && (level == 1 || packed);
     }
-    for (int k = 0; k < loop->operands; k++) {
-        in_place_each[k] = lies_well || is_taken(loop, k, steps[k], strides[k], level, count);
+    for (int k = 0; k < loop->operands && !lies_well; k++) {
+        in_place_each[k] = is_taken(loop, strides[k], level, count);
     }
     run.loop = loop;
     run.block = loop->blocks[level];
     run.strides = strides;
     run.shift = shift_of(loop, level);
     run.lanes = (ptrdiff_t)1 << run.shift;
-    run.in_place = over ? NULL : in_place_each;
+    run.in_place = over || lies_well ? NULL : in_place_each;
     run.singular = 0;
     memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
     if (lies_well && count == 1) {
@@ -514,7 +507,7 @@ void chasles_run(
     while (left > 0) {
         if (in_place && left < run.lanes) {
             /* The last group begins among items that are computed already, to the same results. */
-            step_back(&run, run.lanes - left);
+            go_on(&run, left - run.lanes);
             left = run.lanes;
         }
         left -= in_place ? run_in_place(&run, left) : run_gathered(&run, left, (char *)store);

@@ -72,8 +72,10 @@
 #define CHASLES_BLOCKS(name) {CHASLES_LESSER(name), name##_v4}
 #endif
 
-/* The most items in a block, the most operands of a kernel, and the bytes in which a block's items are gathered. */
+/* The most items in a block that keeps sines or is gathered, and in one that is not; the most operands of a kernel, and
+ * the bytes in which a block's items are gathered. */
 #define CHASLES_BLOCK 64
+#define CHASLES_LONG_BLOCK 256
 #define CHASLES_OPERANDS 32
 #define CHASLES_STORE 32768
 
@@ -105,11 +107,12 @@ typedef struct {
 } chasles_shape;
 
 /* A kernel in one precision. `number` is the size of a number in bytes; `silent` says whether a result can be NaN
- * without an operation that is invalid, `gaps` whether blocks of every level take items with gaps between them, and if 2
- * do not copy what a stream says; operands are inputs, then outputs. */
+ * without an operation that is invalid, `most` how many items a block takes, `gaps` whether blocks of every level take
+ * items with gaps between them, and if 2 do not copy what a stream says; operands are inputs, then outputs. */
 typedef struct {
     ptrdiff_t number;
     int silent;
+    int most;
     int gaps;
     int inputs;
     int operands;

@@ -10,15 +10,15 @@
 
 static const chasles_shape chasles_cross_product_matrix_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_cross_product_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_cross_product_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_cross_product_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_cross_product_matrix_block),
 };
 
 static const chasles_shape chasles_cross_product_matrix_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_cross_product_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_cross_product_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_cross_product_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_cross_product_matrix_blockf),
 };
 
@@ -28,8 +28,8 @@ static const chasles_shape chasles_rotation_from_axis_angle_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_axis_angle_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_axis_angle_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_axis_angle_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_axis_angle_block),
 };
 
@@ -39,8 +39,8 @@ static const chasles_shape chasles_rotation_from_axis_angle_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_axis_angle_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_axis_angle_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_axis_angle_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_axis_angle_blockf),
 };
 
@@ -52,8 +52,8 @@ static const chasles_shape chasles_point_after_displacement_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_point_after_displacement_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_point_after_displacement_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_point_after_displacement_loop_shapes,
     CHASLES_BLOCKS(chasles_point_after_displacement_block),
 };
 
@@ -65,8 +65,8 @@ static const chasles_shape chasles_point_after_displacement_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_point_after_displacement_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_point_after_displacement_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_point_after_displacement_loopf_shapes,
     CHASLES_BLOCKS(chasles_point_after_displacement_blockf),
 };
 
@@ -77,8 +77,8 @@ static const chasles_shape chasles_pitch_of_motion_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_pitch_of_motion_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_pitch_of_motion_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pitch_of_motion_loop_shapes,
     CHASLES_BLOCKS(chasles_pitch_of_motion_block),
 };
 
@@ -89,8 +89,8 @@ static const chasles_shape chasles_pitch_of_motion_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_pitch_of_motion_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_pitch_of_motion_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pitch_of_motion_loopf_shapes,
     CHASLES_BLOCKS(chasles_pitch_of_motion_blockf),
 };
 

@@ -14,8 +14,8 @@ static const chasles_shape chasles_normal_matrix_inverse_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_normal_matrix_inverse_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_normal_matrix_inverse_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_normal_matrix_inverse_loop_shapes,
     CHASLES_BLOCKS(chasles_normal_matrix_inverse_block),
 };
 
@@ -25,8 +25,8 @@ static const chasles_shape chasles_normal_matrix_inverse_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_normal_matrix_inverse_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_normal_matrix_inverse_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_normal_matrix_inverse_loopf_shapes,
     CHASLES_BLOCKS(chasles_normal_matrix_inverse_blockf),
 };
 
@@ -38,8 +38,8 @@ static const chasles_shape chasles_screw_axis_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_screw_axis_point_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_screw_axis_point_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_screw_axis_point_loop_shapes,
     CHASLES_BLOCKS(chasles_screw_axis_point_block),
 };
 
@@ -51,8 +51,8 @@ static const chasles_shape chasles_screw_axis_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_screw_axis_point_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_screw_axis_point_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_screw_axis_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_screw_axis_point_blockf),
 };
 

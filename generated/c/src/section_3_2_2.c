@@ -10,15 +10,15 @@
 
 static const chasles_shape chasles_plucker_line_loop_shapes[] = {{1, 1, 3}, {1, 1, 3}, {1, 1, 6}};
 const chasles_loop chasles_plucker_line_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_plucker_line_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_plucker_line_loop_shapes,
     CHASLES_BLOCKS(chasles_plucker_line_block),
 };
 
 static const chasles_shape chasles_plucker_line_loopf_shapes[] = {{1, 1, 3}, {1, 1, 3}, {1, 1, 6}};
 const chasles_loop chasles_plucker_line_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_plucker_line_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_plucker_line_loopf_shapes,
     CHASLES_BLOCKS(chasles_plucker_line_blockf),
 };
 
@@ -29,8 +29,8 @@ static const chasles_shape chasles_plucker_transfer_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_plucker_transfer_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_plucker_transfer_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_plucker_transfer_loop_shapes,
     CHASLES_BLOCKS(chasles_plucker_transfer_block),
 };
 
@@ -41,8 +41,8 @@ static const chasles_shape chasles_plucker_transfer_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_plucker_transfer_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_plucker_transfer_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_plucker_transfer_loopf_shapes,
     CHASLES_BLOCKS(chasles_plucker_transfer_blockf),
 };
 

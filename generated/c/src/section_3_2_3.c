@@ -14,8 +14,8 @@ static const chasles_shape chasles_rotation_in_triad_axes_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_in_triad_axes_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_in_triad_axes_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_in_triad_axes_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_in_triad_axes_block),
 };
 
@@ -25,8 +25,8 @@ static const chasles_shape chasles_rotation_in_triad_axes_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_in_triad_axes_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_in_triad_axes_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_in_triad_axes_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_in_triad_axes_blockf),
 };
 
@@ -36,8 +36,8 @@ static const chasles_shape chasles_rotation_from_triads_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_triads_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_triads_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_triads_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_triads_block),
 };
 
@@ -47,8 +47,8 @@ static const chasles_shape chasles_rotation_from_triads_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_triads_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_triads_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_triads_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_triads_blockf),
 };
 

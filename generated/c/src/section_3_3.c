@@ -10,15 +10,15 @@
 
 static const chasles_shape chasles_axial_vector_loop_shapes[] = {{2, 3, 3}, {1, 1, 3}};
 const chasles_loop chasles_axial_vector_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_axial_vector_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_axial_vector_loop_shapes,
     CHASLES_BLOCKS(chasles_axial_vector_block),
 };
 
 static const chasles_shape chasles_axial_vector_loopf_shapes[] = {{2, 3, 3}, {1, 1, 3}};
 const chasles_loop chasles_axial_vector_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_axial_vector_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_axial_vector_loopf_shapes,
     CHASLES_BLOCKS(chasles_axial_vector_blockf),
 };
 

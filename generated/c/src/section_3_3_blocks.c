@@ -32,8 +32,8 @@ CHASLES_INLINE void chasles_axial_vector_block_items(
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
         if (dense0) {
-            load_3(item0 + 1 * sizeof(double), step0, &Omega[1]);
-            load_3(item0 + 5 * sizeof(double), step0, &Omega[5]);
+            load_4(item0 + 1 * sizeof(double), step0, &Omega[1]);
+            load_4(item0 + 5 * sizeof(double), step0, &Omega[5]);
         } else if (step0 == sizeof(double)) {
             Omega[1] = PACKED_IN(item0 + entries0[1], 0);
             Omega[2] = PACKED_IN(item0 + entries0[2], 0);
@@ -99,8 +99,8 @@ CHASLES_INLINE void chasles_axial_vector_blockf_items(
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
         if (dense0) {
-            load_3f(item0 + 1 * sizeof(float), step0, &Omega[1]);
-            load_3f(item0 + 5 * sizeof(float), step0, &Omega[5]);
+            load_4f(item0 + 1 * sizeof(float), step0, &Omega[1]);
+            load_4f(item0 + 5 * sizeof(float), step0, &Omega[5]);
         } else if (step0 == sizeof(float)) {
             Omega[1] = PACKEDF_IN(item0 + entries0[1], 0);
             Omega[2] = PACKEDF_IN(item0 + entries0[2], 0);

@@ -16,8 +16,8 @@ static const chasles_shape chasles_velocity_of_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_velocity_of_point_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_velocity_of_point_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_velocity_of_point_loop_shapes,
     CHASLES_BLOCKS(chasles_velocity_of_point_block),
 };
 
@@ -29,8 +29,8 @@ static const chasles_shape chasles_velocity_of_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_velocity_of_point_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_velocity_of_point_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_velocity_of_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_velocity_of_point_blockf),
 };
 

@@ -15,8 +15,8 @@ static const chasles_shape chasles_instant_screw_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_instant_screw_point_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_instant_screw_point_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_instant_screw_point_loop_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_point_block),
 };
 
@@ -27,8 +27,8 @@ static const chasles_shape chasles_instant_screw_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_instant_screw_point_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_instant_screw_point_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_instant_screw_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_point_blockf),
 };
 

@@ -14,8 +14,8 @@ static const chasles_shape chasles_natural_rate_matrix_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_natural_rate_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_natural_rate_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_block),
 };
 
@@ -25,8 +25,8 @@ static const chasles_shape chasles_natural_rate_matrix_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_natural_rate_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_natural_rate_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_blockf),
 };
 
@@ -36,8 +36,8 @@ static const chasles_shape chasles_linear_rate_matrix_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_linear_rate_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_linear_rate_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_block),
 };
 
@@ -47,8 +47,8 @@ static const chasles_shape chasles_linear_rate_matrix_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_linear_rate_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_linear_rate_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_blockf),
 };
 
@@ -58,8 +58,8 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rodrigues_rate_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rodrigues_rate_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_block),
 };
 
@@ -69,8 +69,8 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_loopf_shapes[] = 
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rodrigues_rate_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rodrigues_rate_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_blockf),
 };
 
@@ -80,8 +80,8 @@ static const chasles_shape chasles_rotation_from_linear_invariants_loop_shapes[]
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_linear_invariants_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_linear_invariants_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_linear_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_linear_invariants_block),
 };
 
@@ -91,8 +91,8 @@ static const chasles_shape chasles_rotation_from_linear_invariants_loopf_shapes[
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_linear_invariants_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_linear_invariants_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_linear_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_linear_invariants_blockf),
 };
 
@@ -102,8 +102,8 @@ static const chasles_shape chasles_rotation_from_euler_rodrigues_loop_shapes[] =
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_euler_rodrigues_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_euler_rodrigues_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_rodrigues_block),
 };
 
@@ -113,8 +113,8 @@ static const chasles_shape chasles_rotation_from_euler_rodrigues_loopf_shapes[] 
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_euler_rodrigues_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_rotation_from_euler_rodrigues_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_rotation_from_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_rodrigues_blockf),
 };
 
@@ -124,8 +124,8 @@ static const chasles_shape chasles_linear_invariants_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_linear_invariants_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 3,
-    chasles_linear_invariants_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 3, chasles_linear_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_invariants_block),
 };
 
@@ -135,8 +135,8 @@ static const chasles_shape chasles_linear_invariants_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_linear_invariants_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 3,
-    chasles_linear_invariants_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 3, chasles_linear_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_invariants_blockf),
 };
 
@@ -146,8 +146,8 @@ static const chasles_shape chasles_natural_invariants_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_natural_invariants_loop = {
-    sizeof(double), 1, CHASLES_GAPS, 1, 3,
-    chasles_natural_invariants_loop_shapes,
+    sizeof(double), 1, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 3, chasles_natural_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_invariants_block),
 };
 
@@ -157,8 +157,8 @@ static const chasles_shape chasles_natural_invariants_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_natural_invariants_loopf = {
-    sizeof(float), 1, CHASLES_GAPS, 1, 3,
-    chasles_natural_invariants_loopf_shapes,
+    sizeof(float), 1, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 3, chasles_natural_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_invariants_blockf),
 };
 
@@ -168,8 +168,8 @@ static const chasles_shape chasles_euler_rodrigues_parameters_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_euler_rodrigues_parameters_loop = {
-    sizeof(double), 1, CHASLES_GAPS, 1, 3,
-    chasles_euler_rodrigues_parameters_loop_shapes,
+    sizeof(double), 1, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 3, chasles_euler_rodrigues_parameters_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_block),
 };
 
@@ -179,8 +179,8 @@ static const chasles_shape chasles_euler_rodrigues_parameters_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_euler_rodrigues_parameters_loopf = {
-    sizeof(float), 1, CHASLES_GAPS, 1, 3,
-    chasles_euler_rodrigues_parameters_loopf_shapes,
+    sizeof(float), 1, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    1, 3, chasles_euler_rodrigues_parameters_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_blockf),
 };
 
@@ -193,8 +193,8 @@ static const chasles_shape chasles_screw_of_motion_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_screw_of_motion_loop = {
-    sizeof(double), 1, CHASLES_GAPS, 3, 6,
-    chasles_screw_of_motion_loop_shapes,
+    sizeof(double), 1, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 6, chasles_screw_of_motion_loop_shapes,
     CHASLES_BLOCKS(chasles_screw_of_motion_block),
 };
 
@@ -207,8 +207,8 @@ static const chasles_shape chasles_screw_of_motion_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_screw_of_motion_loopf = {
-    sizeof(float), 1, CHASLES_GAPS, 3, 6,
-    chasles_screw_of_motion_loopf_shapes,
+    sizeof(float), 1, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 6, chasles_screw_of_motion_loopf_shapes,
     CHASLES_BLOCKS(chasles_screw_of_motion_blockf),
 };
 
@@ -220,8 +220,8 @@ static const chasles_shape chasles_instant_screw_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_instant_screw_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 5,
-    chasles_instant_screw_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 5, chasles_instant_screw_loop_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_block),
 };
 
@@ -233,8 +233,8 @@ static const chasles_shape chasles_instant_screw_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_instant_screw_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 5,
-    chasles_instant_screw_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 5, chasles_instant_screw_loopf_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_blockf),
 };
 
@@ -244,8 +244,8 @@ static const chasles_shape chasles_natural_velocity_matrix_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_natural_velocity_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_natural_velocity_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_block),
 };
 
@@ -255,8 +255,8 @@ static const chasles_shape chasles_natural_velocity_matrix_loopf_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_natural_velocity_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_natural_velocity_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_blockf),
 };
 
@@ -266,8 +266,8 @@ static const chasles_shape chasles_linear_velocity_matrix_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_linear_velocity_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_linear_velocity_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_block),
 };
 
@@ -277,8 +277,8 @@ static const chasles_shape chasles_linear_velocity_matrix_loopf_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_linear_velocity_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_linear_velocity_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_blockf),
 };
 
@@ -288,8 +288,8 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_loop_shapes[]
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rodrigues_velocity_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rodrigues_velocity_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_block),
 };
 
@@ -299,8 +299,8 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_loopf_shapes[
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rodrigues_velocity_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rodrigues_velocity_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_blockf),
 };
 
@@ -311,8 +311,8 @@ static const chasles_shape chasles_pose_rate_natural_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_natural_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_pose_rate_natural_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pose_rate_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_natural_block),
 };
 
@@ -323,8 +323,8 @@ static const chasles_shape chasles_pose_rate_natural_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_natural_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_pose_rate_natural_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pose_rate_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_natural_blockf),
 };
 
@@ -335,8 +335,8 @@ static const chasles_shape chasles_pose_rate_linear_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_linear_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_pose_rate_linear_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pose_rate_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_linear_block),
 };
 
@@ -347,8 +347,8 @@ static const chasles_shape chasles_pose_rate_linear_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_linear_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_pose_rate_linear_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pose_rate_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_linear_blockf),
 };
 
@@ -359,8 +359,8 @@ static const chasles_shape chasles_pose_rate_euler_rodrigues_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_euler_rodrigues_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_pose_rate_euler_rodrigues_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pose_rate_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_euler_rodrigues_block),
 };
 
@@ -371,8 +371,8 @@ static const chasles_shape chasles_pose_rate_euler_rodrigues_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_euler_rodrigues_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_pose_rate_euler_rodrigues_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_pose_rate_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_euler_rodrigues_blockf),
 };
 
@@ -383,8 +383,8 @@ static const chasles_shape chasles_twist_from_pose_rate_natural_loop_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_natural_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_from_pose_rate_natural_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_from_pose_rate_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_natural_block),
 };
 
@@ -395,8 +395,8 @@ static const chasles_shape chasles_twist_from_pose_rate_natural_loopf_shapes[] =
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_natural_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_from_pose_rate_natural_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_from_pose_rate_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_natural_blockf),
 };
 
@@ -407,8 +407,8 @@ static const chasles_shape chasles_twist_from_pose_rate_linear_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_linear_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_from_pose_rate_linear_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_from_pose_rate_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_linear_block),
 };
 
@@ -419,8 +419,8 @@ static const chasles_shape chasles_twist_from_pose_rate_linear_loopf_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_linear_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_from_pose_rate_linear_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_from_pose_rate_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_linear_blockf),
 };
 
@@ -431,8 +431,8 @@ static const chasles_shape chasles_twist_from_pose_rate_euler_rodrigues_loop_sha
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_euler_rodrigues_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_from_pose_rate_euler_rodrigues_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_from_pose_rate_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_euler_rodrigues_block),
 };
 
@@ -443,8 +443,8 @@ static const chasles_shape chasles_twist_from_pose_rate_euler_rodrigues_loopf_sh
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_euler_rodrigues_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_from_pose_rate_euler_rodrigues_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_from_pose_rate_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_euler_rodrigues_blockf),
 };
 
@@ -455,8 +455,8 @@ static const chasles_shape chasles_twist_transfer_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_transfer_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_transfer_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_transfer_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_transfer_block),
 };
 
@@ -467,8 +467,8 @@ static const chasles_shape chasles_twist_transfer_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_transfer_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_twist_transfer_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_twist_transfer_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_transfer_blockf),
 };
 

@@ -14,8 +14,8 @@ static const chasles_shape chasles_angular_acceleration_matrix_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_angular_acceleration_matrix_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_angular_acceleration_matrix_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_angular_acceleration_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_angular_acceleration_matrix_block),
 };
 
@@ -25,8 +25,8 @@ static const chasles_shape chasles_angular_acceleration_matrix_loopf_shapes[] = 
     {2, 3, 3},
 };
 const chasles_loop chasles_angular_acceleration_matrix_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_angular_acceleration_matrix_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_angular_acceleration_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_angular_acceleration_matrix_blockf),
 };
 
@@ -39,8 +39,8 @@ static const chasles_shape chasles_acceleration_of_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_acceleration_of_point_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 5, 6,
-    chasles_acceleration_of_point_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    5, 6, chasles_acceleration_of_point_loop_shapes,
     CHASLES_BLOCKS(chasles_acceleration_of_point_block),
 };
 
@@ -53,8 +53,8 @@ static const chasles_shape chasles_acceleration_of_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_acceleration_of_point_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 5, 6,
-    chasles_acceleration_of_point_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    5, 6, chasles_acceleration_of_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_acceleration_of_point_blockf),
 };
 
@@ -65,8 +65,8 @@ static const chasles_shape chasles_natural_rate_matrix_dot_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_dot_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_natural_rate_matrix_dot_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_natural_rate_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_dot_block),
 };
 
@@ -77,8 +77,8 @@ static const chasles_shape chasles_natural_rate_matrix_dot_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_dot_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_natural_rate_matrix_dot_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_natural_rate_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_dot_blockf),
 };
 
@@ -89,8 +89,8 @@ static const chasles_shape chasles_linear_rate_matrix_dot_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_dot_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_linear_rate_matrix_dot_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_linear_rate_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_dot_block),
 };
 
@@ -101,8 +101,8 @@ static const chasles_shape chasles_linear_rate_matrix_dot_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_dot_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_linear_rate_matrix_dot_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_linear_rate_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_dot_blockf),
 };
 
@@ -113,8 +113,8 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_dot_loop_shapes[]
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_dot_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_euler_rodrigues_rate_matrix_dot_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_euler_rodrigues_rate_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_dot_block),
 };
 
@@ -125,8 +125,8 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes[
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_dot_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_dot_blockf),
 };
 
@@ -137,8 +137,8 @@ static const chasles_shape chasles_natural_velocity_matrix_dot_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_dot_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_natural_velocity_matrix_dot_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_natural_velocity_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_dot_block),
 };
 
@@ -149,8 +149,8 @@ static const chasles_shape chasles_natural_velocity_matrix_dot_loopf_shapes[] = 
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_dot_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_natural_velocity_matrix_dot_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_natural_velocity_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_dot_blockf),
 };
 
@@ -161,8 +161,8 @@ static const chasles_shape chasles_linear_velocity_matrix_dot_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_dot_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_linear_velocity_matrix_dot_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_linear_velocity_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_dot_block),
 };
 
@@ -173,8 +173,8 @@ static const chasles_shape chasles_linear_velocity_matrix_dot_loopf_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_dot_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_linear_velocity_matrix_dot_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_linear_velocity_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_dot_blockf),
 };
 
@@ -185,8 +185,8 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_dot_loop_shap
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_dot_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_euler_rodrigues_velocity_matrix_dot_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_euler_rodrigues_velocity_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_dot_block),
 };
 
@@ -197,8 +197,8 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_dot_loopf_sha
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_dot_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_euler_rodrigues_velocity_matrix_dot_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_euler_rodrigues_velocity_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_dot_blockf),
 };
 
@@ -210,8 +210,8 @@ static const chasles_shape chasles_pose_acceleration_natural_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_natural_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_pose_acceleration_natural_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_pose_acceleration_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_natural_block),
 };
 
@@ -223,8 +223,8 @@ static const chasles_shape chasles_pose_acceleration_natural_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_natural_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_pose_acceleration_natural_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_pose_acceleration_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_natural_blockf),
 };
 
@@ -236,8 +236,8 @@ static const chasles_shape chasles_pose_acceleration_linear_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_linear_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_pose_acceleration_linear_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_pose_acceleration_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_linear_block),
 };
 
@@ -249,8 +249,8 @@ static const chasles_shape chasles_pose_acceleration_linear_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_linear_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_pose_acceleration_linear_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_pose_acceleration_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_linear_blockf),
 };
 
@@ -262,8 +262,8 @@ static const chasles_shape chasles_pose_acceleration_euler_rodrigues_loop_shapes
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_euler_rodrigues_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_pose_acceleration_euler_rodrigues_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_pose_acceleration_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_euler_rodrigues_block),
 };
 
@@ -275,8 +275,8 @@ static const chasles_shape chasles_pose_acceleration_euler_rodrigues_loopf_shape
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_euler_rodrigues_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_pose_acceleration_euler_rodrigues_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_pose_acceleration_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_euler_rodrigues_blockf),
 };
 
@@ -288,8 +288,8 @@ static const chasles_shape chasles_twist_rate_from_pose_natural_loop_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_natural_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_twist_rate_from_pose_natural_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_twist_rate_from_pose_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_natural_block),
 };
 
@@ -301,8 +301,8 @@ static const chasles_shape chasles_twist_rate_from_pose_natural_loopf_shapes[] =
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_natural_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_twist_rate_from_pose_natural_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_twist_rate_from_pose_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_natural_blockf),
 };
 
@@ -314,8 +314,8 @@ static const chasles_shape chasles_twist_rate_from_pose_linear_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_linear_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_twist_rate_from_pose_linear_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_twist_rate_from_pose_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_linear_block),
 };
 
@@ -327,8 +327,8 @@ static const chasles_shape chasles_twist_rate_from_pose_linear_loopf_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_linear_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_twist_rate_from_pose_linear_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_twist_rate_from_pose_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_linear_blockf),
 };
 
@@ -340,8 +340,8 @@ static const chasles_shape chasles_twist_rate_from_pose_euler_rodrigues_loop_sha
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_twist_rate_from_pose_euler_rodrigues_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_twist_rate_from_pose_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_euler_rodrigues_block),
 };
 
@@ -353,8 +353,8 @@ static const chasles_shape chasles_twist_rate_from_pose_euler_rodrigues_loopf_sh
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_twist_rate_from_pose_euler_rodrigues_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_twist_rate_from_pose_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_euler_rodrigues_blockf),
 };
 

@@ -2246,7 +2246,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -2386,7 +2386,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);
@@ -2526,7 +2526,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -2665,7 +2665,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);
@@ -2804,7 +2804,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -2948,7 +2948,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);

@@ -17,8 +17,8 @@ static const chasles_shape chasles_moving_frame_velocity_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_velocity_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 5, 6,
-    chasles_moving_frame_velocity_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    5, 6, chasles_moving_frame_velocity_loop_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_velocity_block),
 };
 
@@ -31,8 +31,8 @@ static const chasles_shape chasles_moving_frame_velocity_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_velocity_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 5, 6,
-    chasles_moving_frame_velocity_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    5, 6, chasles_moving_frame_velocity_loopf_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_velocity_blockf),
 };
 
@@ -47,8 +47,8 @@ static const chasles_shape chasles_moving_frame_acceleration_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_acceleration_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 7, 8,
-    chasles_moving_frame_acceleration_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    7, 8, chasles_moving_frame_acceleration_loop_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_acceleration_block),
 };
 
@@ -63,8 +63,8 @@ static const chasles_shape chasles_moving_frame_acceleration_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_acceleration_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 7, 8,
-    chasles_moving_frame_acceleration_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    7, 8, chasles_moving_frame_acceleration_loopf_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_acceleration_blockf),
 };
 

@@ -16,8 +16,8 @@ static const chasles_shape chasles_wrench_axis_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_wrench_axis_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 5,
-    chasles_wrench_axis_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 5, chasles_wrench_axis_loop_shapes,
     CHASLES_BLOCKS(chasles_wrench_axis_block),
 };
 
@@ -29,22 +29,22 @@ static const chasles_shape chasles_wrench_axis_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_wrench_axis_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 5,
-    chasles_wrench_axis_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 5, chasles_wrench_axis_loopf_shapes,
     CHASLES_BLOCKS(chasles_wrench_axis_blockf),
 };
 
 static const chasles_shape chasles_power_loop_shapes[] = {{1, 1, 6}, {1, 1, 6}, {0, 1, 1}};
 const chasles_loop chasles_power_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_power_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_power_loop_shapes,
     CHASLES_BLOCKS(chasles_power_block),
 };
 
 static const chasles_shape chasles_power_loopf_shapes[] = {{1, 1, 6}, {1, 1, 6}, {0, 1, 1}};
 const chasles_loop chasles_power_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_power_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_power_loopf_shapes,
     CHASLES_BLOCKS(chasles_power_blockf),
 };
 
@@ -54,8 +54,8 @@ static const chasles_shape chasles_reciprocal_product_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_reciprocal_product_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_reciprocal_product_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_reciprocal_product_loop_shapes,
     CHASLES_BLOCKS(chasles_reciprocal_product_block),
 };
 
@@ -65,8 +65,8 @@ static const chasles_shape chasles_reciprocal_product_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_reciprocal_product_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_reciprocal_product_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_reciprocal_product_loopf_shapes,
     CHASLES_BLOCKS(chasles_reciprocal_product_blockf),
 };
 
@@ -77,8 +77,8 @@ static const chasles_shape chasles_wrench_transfer_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_wrench_transfer_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_wrench_transfer_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_wrench_transfer_loop_shapes,
     CHASLES_BLOCKS(chasles_wrench_transfer_block),
 };
 
@@ -89,8 +89,8 @@ static const chasles_shape chasles_wrench_transfer_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_wrench_transfer_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_wrench_transfer_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_wrench_transfer_loopf_shapes,
     CHASLES_BLOCKS(chasles_wrench_transfer_blockf),
 };
 

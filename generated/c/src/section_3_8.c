@@ -16,8 +16,8 @@ static const chasles_shape chasles_inertia_about_point_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_inertia_about_point_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_about_point_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_about_point_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_block),
 };
 
@@ -29,8 +29,8 @@ static const chasles_shape chasles_inertia_about_point_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_inertia_about_point_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_about_point_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_about_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_blockf),
 };
 
@@ -42,8 +42,8 @@ static const chasles_shape chasles_inertia_about_point_sym6_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_inertia_about_point_sym6_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_about_point_sym6_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_about_point_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_sym6_block),
 };
 
@@ -55,8 +55,8 @@ static const chasles_shape chasles_inertia_about_point_sym6_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_inertia_about_point_sym6_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_about_point_sym6_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_about_point_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_sym6_blockf),
 };
 
@@ -67,8 +67,8 @@ static const chasles_shape chasles_momentum_screw_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_momentum_screw_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_momentum_screw_loop_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_block),
 };
 
@@ -79,8 +79,8 @@ static const chasles_shape chasles_momentum_screw_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_momentum_screw_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_momentum_screw_loopf_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_blockf),
 };
 
@@ -91,8 +91,8 @@ static const chasles_shape chasles_momentum_screw_sym6_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_sym6_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_momentum_screw_sym6_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_momentum_screw_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_sym6_block),
 };
 
@@ -103,8 +103,8 @@ static const chasles_shape chasles_momentum_screw_sym6_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_sym6_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_momentum_screw_sym6_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_momentum_screw_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_sym6_blockf),
 };
 
@@ -115,8 +115,8 @@ static const chasles_shape chasles_kinetic_energy_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_kinetic_energy_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_kinetic_energy_loop_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_block),
 };
 
@@ -127,8 +127,8 @@ static const chasles_shape chasles_kinetic_energy_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_kinetic_energy_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_kinetic_energy_loopf_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_blockf),
 };
 
@@ -139,8 +139,8 @@ static const chasles_shape chasles_kinetic_energy_sym6_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_sym6_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 3, 4,
-    chasles_kinetic_energy_sym6_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_kinetic_energy_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_sym6_block),
 };
 
@@ -151,8 +151,8 @@ static const chasles_shape chasles_kinetic_energy_sym6_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_sym6_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 3, 4,
-    chasles_kinetic_energy_sym6_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    3, 4, chasles_kinetic_energy_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_sym6_blockf),
 };
 
@@ -164,8 +164,8 @@ static const chasles_shape chasles_newton_euler_wrench_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_wrench_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_wrench_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_block),
 };
 
@@ -177,8 +177,8 @@ static const chasles_shape chasles_newton_euler_wrench_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_wrench_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_wrench_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_blockf),
 };
 
@@ -190,8 +190,8 @@ static const chasles_shape chasles_newton_euler_wrench_sym6_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_sym6_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_wrench_sym6_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_wrench_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_sym6_block),
 };
 
@@ -203,8 +203,8 @@ static const chasles_shape chasles_newton_euler_wrench_sym6_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_sym6_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_wrench_sym6_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_wrench_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_sym6_blockf),
 };
 
@@ -216,8 +216,8 @@ static const chasles_shape chasles_newton_euler_twist_rate_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_twist_rate_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_twist_rate_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_block),
 };
 
@@ -229,8 +229,8 @@ static const chasles_shape chasles_newton_euler_twist_rate_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_twist_rate_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_twist_rate_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_blockf),
 };
 
@@ -242,8 +242,8 @@ static const chasles_shape chasles_newton_euler_twist_rate_sym6_loop_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_sym6_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_twist_rate_sym6_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_twist_rate_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_sym6_block),
 };
 
@@ -255,8 +255,8 @@ static const chasles_shape chasles_newton_euler_twist_rate_sym6_loopf_shapes[] =
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_sym6_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_newton_euler_twist_rate_sym6_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_newton_euler_twist_rate_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_sym6_blockf),
 };
 
@@ -268,8 +268,8 @@ static const chasles_shape chasles_inertia_dyad_loop_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_dyad_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_dyad_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_block),
 };
 
@@ -281,8 +281,8 @@ static const chasles_shape chasles_inertia_dyad_loopf_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_dyad_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_dyad_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_blockf),
 };
 
@@ -294,8 +294,8 @@ static const chasles_shape chasles_inertia_dyad_sym6_loop_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_sym6_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_dyad_sym6_loop_shapes,
+    sizeof(double), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_dyad_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_sym6_block),
 };
 
@@ -307,8 +307,8 @@ static const chasles_shape chasles_inertia_dyad_sym6_loopf_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_sym6_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 4, 5,
-    chasles_inertia_dyad_sym6_loopf_shapes,
+    sizeof(float), 0, CHASLES_LONG_BLOCK, CHASLES_GAPS,
+    4, 5, chasles_inertia_dyad_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_sym6_blockf),
 };
 

@@ -1470,7 +1470,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -1613,7 +1613,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);
@@ -1749,7 +1749,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -1885,7 +1885,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);
@@ -2028,7 +2028,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -2201,7 +2201,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);
@@ -2368,7 +2368,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_block_items(
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
             t[0] = PACKED_IN(item2 + entries2[0], 0);
             t[1] = PACKED_IN(item2 + entries2[1], 0);
@@ -2523,7 +2523,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_blockf_items(
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
         if (dense2) {
-            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
             t[0] = PACKEDF_IN(item2 + entries2[0], 0);
             t[1] = PACKEDF_IN(item2 + entries2[1], 0);

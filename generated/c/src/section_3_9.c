@@ -10,29 +10,29 @@
 
 static const chasles_shape chasles_rotation_from_euler_xyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xyx_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xyx_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xyx_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xyx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xyx_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xyx_blockf),
 };
 
@@ -41,8 +41,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xyx_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xyx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyx_block),
 };
 
@@ -51,8 +51,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xyx_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyx_blockf),
 };
 
@@ -62,8 +62,8 @@ static const chasles_shape chasles_euler_rates_xyx_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xyx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xyx_block),
 };
 
@@ -73,36 +73,36 @@ static const chasles_shape chasles_euler_rates_xyx_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xyx_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xyz_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xyz_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xyz_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xyz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xyz_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xyz_blockf),
 };
 
@@ -111,8 +111,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xyz_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xyz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyz_block),
 };
 
@@ -121,8 +121,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xyz_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xyz_blockf),
 };
 
@@ -132,8 +132,8 @@ static const chasles_shape chasles_euler_rates_xyz_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xyz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xyz_block),
 };
 
@@ -143,36 +143,36 @@ static const chasles_shape chasles_euler_rates_xyz_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xyz_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xzx_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xzx_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xzx_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xzx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xzx_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xzx_blockf),
 };
 
@@ -181,8 +181,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xzx_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xzx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzx_block),
 };
 
@@ -191,8 +191,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xzx_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzx_blockf),
 };
 
@@ -202,8 +202,8 @@ static const chasles_shape chasles_euler_rates_xzx_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xzx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xzx_block),
 };
 
@@ -213,36 +213,36 @@ static const chasles_shape chasles_euler_rates_xzx_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xzx_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xzy_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xzy_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_xzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_xzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_xzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_xzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_xzy_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xzy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xzy_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_xzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_xzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_xzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_xzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_xzy_blockf),
 };
 
@@ -251,8 +251,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xzy_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xzy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzy_block),
 };
 
@@ -261,8 +261,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_xzy_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_xzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_xzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_xzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_xzy_blockf),
 };
 
@@ -272,8 +272,8 @@ static const chasles_shape chasles_euler_rates_xzy_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xzy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xzy_block),
 };
 
@@ -283,36 +283,36 @@ static const chasles_shape chasles_euler_rates_xzy_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_xzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_xzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_xzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_xzy_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yxy_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yxy_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yxy_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yxy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yxy_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yxy_blockf),
 };
 
@@ -321,8 +321,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yxy_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yxy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxy_block),
 };
 
@@ -331,8 +331,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yxy_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxy_blockf),
 };
 
@@ -342,8 +342,8 @@ static const chasles_shape chasles_euler_rates_yxy_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yxy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yxy_block),
 };
 
@@ -353,36 +353,36 @@ static const chasles_shape chasles_euler_rates_yxy_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yxy_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yxz_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yxz_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yxz_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yxz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yxz_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yxz_blockf),
 };
 
@@ -391,8 +391,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yxz_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yxz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxz_block),
 };
 
@@ -401,8 +401,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yxz_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yxz_blockf),
 };
 
@@ -412,8 +412,8 @@ static const chasles_shape chasles_euler_rates_yxz_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yxz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yxz_block),
 };
 
@@ -423,36 +423,36 @@ static const chasles_shape chasles_euler_rates_yxz_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yxz_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yzx_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yzx_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yzx_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yzx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yzx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yzx_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yzx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yzx_blockf),
 };
 
@@ -461,8 +461,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yzx_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yzx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzx_block),
 };
 
@@ -471,8 +471,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yzx_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzx_blockf),
 };
 
@@ -482,8 +482,8 @@ static const chasles_shape chasles_euler_rates_yzx_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yzx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yzx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yzx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yzx_block),
 };
 
@@ -493,36 +493,36 @@ static const chasles_shape chasles_euler_rates_yzx_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yzx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yzx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yzx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yzx_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yzy_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yzy_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_yzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_yzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_yzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_yzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_yzy_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yzy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yzy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yzy_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_yzy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_yzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_yzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_yzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_yzy_blockf),
 };
 
@@ -531,8 +531,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yzy_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yzy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzy_block),
 };
 
@@ -541,8 +541,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_yzy_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_yzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_yzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_yzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_yzy_blockf),
 };
 
@@ -552,8 +552,8 @@ static const chasles_shape chasles_euler_rates_yzy_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yzy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yzy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yzy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yzy_block),
 };
 
@@ -563,36 +563,36 @@ static const chasles_shape chasles_euler_rates_yzy_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_yzy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_yzy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_yzy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_yzy_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zxy_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zxy_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zxy_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zxy_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zxy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zxy_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zxy_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zxy_blockf),
 };
 
@@ -601,8 +601,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zxy_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zxy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxy_block),
 };
 
@@ -611,8 +611,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zxy_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxy_blockf),
 };
 
@@ -622,8 +622,8 @@ static const chasles_shape chasles_euler_rates_zxy_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zxy_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zxy_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zxy_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zxy_block),
 };
 
@@ -633,36 +633,36 @@ static const chasles_shape chasles_euler_rates_zxy_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zxy_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zxy_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zxy_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zxy_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zxz_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zxz_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zxz_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zxz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zxz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zxz_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zxz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zxz_blockf),
 };
 
@@ -671,8 +671,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zxz_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zxz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxz_block),
 };
 
@@ -681,8 +681,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zxz_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zxz_blockf),
 };
 
@@ -692,8 +692,8 @@ static const chasles_shape chasles_euler_rates_zxz_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zxz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zxz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zxz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zxz_block),
 };
 
@@ -703,36 +703,36 @@ static const chasles_shape chasles_euler_rates_zxz_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zxz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zxz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zxz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zxz_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zyx_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zyx_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zyx_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zyx_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zyx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zyx_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zyx_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zyx_blockf),
 };
 
@@ -741,8 +741,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zyx_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zyx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyx_block),
 };
 
@@ -751,8 +751,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zyx_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyx_blockf),
 };
 
@@ -762,8 +762,8 @@ static const chasles_shape chasles_euler_rates_zyx_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zyx_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zyx_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zyx_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zyx_block),
 };
 
@@ -773,36 +773,36 @@ static const chasles_shape chasles_euler_rates_zyx_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zyx_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zyx_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zyx_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zyx_blockf),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zyz_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zyz_block),
 };
 
 static const chasles_shape chasles_rotation_from_euler_zyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_rotation_from_euler_zyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_rotation_from_euler_zyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_rotation_from_euler_zyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_zyz_blockf),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zyz_loop_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zyz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zyz_block),
 };
 
 static const chasles_shape chasles_euler_rate_matrix_zyz_loopf_shapes[] = {{1, 1, 3}, {2, 3, 3}};
 const chasles_loop chasles_euler_rate_matrix_zyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_zyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_zyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_zyz_blockf),
 };
 
@@ -811,8 +811,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zyz_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zyz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyz_block),
 };
 
@@ -821,8 +821,8 @@ static const chasles_shape chasles_euler_rate_matrix_body_zyz_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_euler_rate_matrix_body_zyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 1, 2,
-    chasles_euler_rate_matrix_body_zyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    1, 2, chasles_euler_rate_matrix_body_zyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rate_matrix_body_zyz_blockf),
 };
 
@@ -832,8 +832,8 @@ static const chasles_shape chasles_euler_rates_zyz_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zyz_loop = {
-    sizeof(double), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zyz_loop_shapes,
+    sizeof(double), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zyz_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zyz_block),
 };
 
@@ -843,8 +843,8 @@ static const chasles_shape chasles_euler_rates_zyz_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_euler_rates_zyz_loopf = {
-    sizeof(float), 0, CHASLES_GAPS, 2, 3,
-    chasles_euler_rates_zyz_loopf_shapes,
+    sizeof(float), 0, CHASLES_BLOCK, CHASLES_GAPS,
+    2, 3, chasles_euler_rates_zyz_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rates_zyz_blockf),
 };
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from chasles.lowering.program import Op
 from chasles.targets.c.blocks import block_name, loop_name
 from chasles.targets.c.parts import parts_of
+from chasles.targets.c.sincos import CIRCULAR
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
@@ -19,6 +20,7 @@ class Loop:
     name: str
     number: str
     silent: int
+    most: str
     gaps: str
     inputs: int
     operands: int
@@ -40,12 +42,13 @@ def loop(kernel: TargetKernel, precision: Precision, *, gaps: bool = False) -> L
             )
         rows, columns = (1, 1, *item.shape)[-2:]
         shapes.append(f"{{{len(item.shape)}, {rows}, {columns}}}")
-    name = loop_name(kernel, precision)
+    name, cut = loop_name(kernel, precision), parts_of(program).parts
     return Loop(
         name=name,
         number=precision.name,
         silent=int(any(step.op is Op.NOT_A_NUMBER for step in program.steps)),
-        gaps="2" if gaps or parts_of(program).parts else "CHASLES_GAPS",
+        most="CHASLES_BLOCK" if any(step.op in CIRCULAR for step in program.steps) else "CHASLES_LONG_BLOCK",
+        gaps="2" if gaps or cut else "CHASLES_GAPS",
         inputs=len(program.arguments),
         operands=len(program.parameters),
         shapes=listed(f"static const chasles_shape {name}_shapes[] = {{", shapes, "};", closing_line=True),

@@ -50,9 +50,11 @@ def loads(place: int, shape: tuple[int, ...], name: str, wanted: Sequence[int], 
         yield f"load_1{suffix}(item{place}, step{place}, &{name});"
         return
     yield f"if (dense{place}) {{"
-    for number, width in _runs(wanted):
-        at = f"item{place} + {wanted[number]} * sizeof({precision.name})"
-        yield f"    load_{width}{suffix}({at}, step{place}, &{name}[{wanted[number]}]);"
+    for number, count in _runs(wanted):
+        entry = wanted[number]
+        width = 4 if count == 3 and entry + 4 <= size else count  # a fourth comes at no cost
+        at = f"item{place} + {entry} * sizeof({precision.name})"
+        yield f"    load_{width}{suffix}({at}, step{place}, &{name}[{entry}]);"
     yield f"}} else if (step{place} == sizeof({precision.name})) {{"
     for entry in wanted:
         at = f"item{place} + entries{place}[{entry}]"

@@ -14,8 +14,8 @@ from fractions import Fraction
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 
-_CIRCULAR = (Op.SINE, Op.COSINE)
-_LATE = (*_CIRCULAR, Op.ARCTANGENT2)
+CIRCULAR = (Op.SINE, Op.COSINE)
+_LATE = (*CIRCULAR, Op.ARCTANGENT2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +34,7 @@ def parted(program: Program) -> Parted:
     """The program in two parts that together compute the same."""
     program = pruned(program)
     waits = _waits(program)
-    early = [
-        number for number, step in enumerate(program.steps) if step.op in _CIRCULAR and not waits[step.operands[0]]
-    ]
+    early = [number for number, step in enumerate(program.steps) if step.op in CIRCULAR and not waits[step.operands[0]]]
     places = {angle: k for k, angle in enumerate(dict.fromkeys(program.steps[number].operands[0] for number in early))}
     if not places:
         return Parted(None, program)
