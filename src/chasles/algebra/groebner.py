@@ -121,6 +121,8 @@ def combined(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial
 
     They are found modulo a prime, and count if they are right; what alone has some term has none of them.
     """
+    if len(polynomial) > sum(map(len, generators)):
+        return None  # some term of it is in none of them
     terms = [dict(ring.terms(each)) for each in (*generators, polynomial)]
     occurs = Counter(e for each in terms for e in each)
     while alone := [each for each in terms[:-1] if any(occurs[e] == 1 for e in each)]:

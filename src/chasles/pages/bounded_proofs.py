@@ -15,7 +15,7 @@ from chasles.deciding import decided
 from chasles.decisions.kept_answers import verdict_stands
 from chasles.decisions.session import Session
 from chasles.points.evaluation import Point
-from chasles.points.search import UnreducedEntry
+from chasles.points.search import UnreducedEntry, any_counterexample
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.decide import decide_problem, pose
@@ -149,7 +149,13 @@ def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float 
 
 
 def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
-    verdict = _decided(problem, own, budget, source)
+    if not isinstance(source, _Likely):
+        verdict = _decided(problem, own, budget, source)
+    else:
+        with any_counterexample():
+            verdict = _decided(problem, own, budget, source)
+        if isinstance(verdict, Fails):  # the first point found is not one to tell
+            raise _Unproved
     if isinstance(verdict, Undecided):
         raise _Unproved(verdict.reason)
     return verdict

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from fractions import Fraction
 from random import Random
@@ -38,6 +40,19 @@ class UnreducedEntry(Protocol):
     def place(self) -> tuple[int, int]: ...
     @property
     def ratio(self) -> Ratio: ...
+
+
+_is_told: ContextVar[bool] = ContextVar("is_told", default=True)
+
+
+@contextmanager
+def any_counterexample() -> Iterator[None]:
+    """Take the first counterexample that is found, where it says no more than that nothing is proved."""
+    token = _is_told.set(False)
+    try:
+        yield
+    finally:
+        _is_told.reset(token)
 
 
 @dataclass(slots=True)
@@ -85,7 +100,7 @@ class Search:
                 candidate = self._candidate(context, system, values, suspect)
                 best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
                 found += 1
-            if found == ENOUGH or (vanishing == VANISHING and best is None):
+            if found == (ENOUGH if _is_told.get() else 1) or (vanishing == VANISHING and best is None):
                 break
         return best[1] if best else None
 
