@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from chasles.reading import commands
 from chasles.reading.lexemes import Token, cut
@@ -87,13 +88,17 @@ class Atom:
         return replace(self, sub=None, primes=0, sups=())
 
     @property
-    def rows(self) -> list[list[Atoms]]:
+    def rows(self) -> tuple[tuple[Atoms, ...], ...]:
         """The cells of an environment."""
-        rows = lines_of(self.arguments[0], (ROW_END,)) if self.kind == "GRID" else []
-        return [[tuple(cell) for cell in lines_of(row, ("&",))] for row in rows]
+        return _cells(self.arguments[0]) if self.kind == "GRID" else ()
 
 
 Atoms = tuple[Atom, ...]
+
+
+@lru_cache(maxsize=4096)
+def _cells(inside: Atoms) -> tuple[tuple[Atoms, ...], ...]:
+    return tuple(tuple(tuple(cell) for cell in lines_of(row, ("&",))) for row in lines_of(inside, (ROW_END,)))
 
 
 def single(token: Token) -> Atom:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import NamedTuple
 
 from chasles.reading.atoms import Atom, Atoms, said_of
@@ -52,6 +53,7 @@ def is_undefined(sign: str) -> bool:
     return bool(COMMAND.fullmatch(sign)) and sign not in KNOWN
 
 
+@lru_cache(maxsize=4096)
 def derivative(atom: Atom) -> Derivative | None:
     """The derivative that a fraction is; None if it is none."""
     if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text:

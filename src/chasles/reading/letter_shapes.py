@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache, reduce
+from itertools import pairwise
 
 from chasles.reading.atoms import Atom, Atoms, Terms, Unread
 from chasles.reading.derivatives import Derivative, derivative
@@ -54,6 +55,14 @@ def _is_of_any_shape(piece: Atom) -> bool:
     return piece.kind != "INFIX" and letter_of(piece).loose.base in (r"\nabla", "!")
 
 
+@lru_cache(maxsize=4096)
+def _parted(pieces: Atoms) -> tuple[tuple[str, ...], tuple[Atoms, ...]]:
+    """The signs between the products of a row, and these."""
+    places = [-1, *(k for k, piece in enumerate(pieces) if piece.kind == "INFIX"), len(pieces)]
+    signs = tuple(pieces[k].text for k in places[1:-1])
+    return signs, tuple(pieces[k + 1 : end] for k, end in pairwise(places))
+
+
 class _PieceShapes:
     """The shapes of pieces of a formula; None for what may have any."""
 
@@ -75,11 +84,9 @@ class _PieceShapes:
             return None
         if any(map(_is_of_any_shape, pieces)):
             return None
-        parts: list[list[Atom]] = [[]]
-        for piece in pieces:
-            parts = [*parts, []] if piece.kind == "INFIX" else [*parts[:-1], [*parts[-1], piece]]
+        signs, parts = _parted(pieces)
         shape, is_number = self.product(parts[0]), all(atom.kind == "NUMBER" for atom in parts[0])
-        for sign, part in zip((piece.text for piece in pieces if piece.kind == "INFIX"), parts[1:], strict=True):
+        for sign, part in zip(signs, parts[1:], strict=True):
             shape = _combined(sign, shape, self.product(part), is_number) if part else self.marked(shape, (sign,))
         return shape
 

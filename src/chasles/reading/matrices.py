@@ -26,7 +26,7 @@ def grid_fits(grid: Atom, ctx: FittingContext, read: Callable[[Atoms, FittingCon
     rows, width = grid.rows, max(map(len, grid.rows), default=0)
     if len(rows) == width > 1 and all(row[at:] and row[at] for at, row in enumerate(rows)):  # what is left out is zero
         zero = (single(grid.place._replace(text="0")),)
-        rows = [[cell or zero for cell in (*row, *[()] * (width - len(row)))] for row in rows]
+        rows = tuple(tuple(cell or zero for cell in (*row, *[()] * (width - len(row)))) for row in rows)
     if not rows or not all(len(row) == width and all(row) for row in rows):
         ctx.note("the rows of the matrix differ in length, or an entry is empty", grid.place)
         return []
