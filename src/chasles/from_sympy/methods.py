@@ -20,6 +20,7 @@ from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.induction import by_induction
 from chasles.from_sympy.question import Question
 from chasles.from_sympy.splitting import Splitting
+from chasles.points.search import counterexamples_are_told
 from chasles.problems.variables import Untreatable
 from chasles.prover.decide import decide_problem
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
@@ -134,7 +135,7 @@ def _answered(question: Question) -> Verdict:
     if found:
         return Fails(found)
     verdict = question.answered(_decided(question))
-    if sampling and isinstance(verdict, Undecided):
+    if sampling and isinstance(verdict, Undecided) and counterexamples_are_told():
         found = sampling.counterexample()
         return Fails(found) if found else verdict
     if sampling and question.formal and isinstance(verdict, Holds | HoldsUnder):

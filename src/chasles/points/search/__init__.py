@@ -45,6 +45,11 @@ class UnreducedEntry(Protocol):
 _is_told: ContextVar[bool] = ContextVar("is_told", default=True)
 
 
+def counterexamples_are_told() -> bool:
+    """Whether it is worth while to look for one that nothing else is decided by."""
+    return _is_told.get()
+
+
 @contextmanager
 def any_counterexample() -> Iterator[None]:
     """Take the first counterexample that is found, where it says no more than that nothing is proved."""
@@ -100,7 +105,7 @@ class Search:
                 candidate = self._candidate(context, system, values, suspect)
                 best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
                 found += 1
-            if found == (ENOUGH if _is_told.get() else 1) or (vanishing == VANISHING and best is None):
+            if found == (ENOUGH if counterexamples_are_told() else 1) or (vanishing == VANISHING and best is None):
                 break
         return best[1] if best else None
 
