@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -11,7 +12,7 @@ from sympy import Abs, Eq, Max, Min, Ne, Piecewise, Rational, acos, asin, atan, 
 
 from chasles.checker.expressions.angles_between import between
 from chasles.prove import Rejected, Untreatable, prove, recheck
-from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder
+from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder
 
 x, y, z = sp.symbols("x y z", real=True)
 X = sp.Symbol("X")
@@ -229,6 +230,22 @@ def test_what_is_compared_in_a_condition_has_to_be_real(claim: Any) -> None:
     at = prove(different).counterexample.at
     assert at["X"] >= 0
     assert at["u"] >= 1
+
+
+@pytest.mark.parametrize("function", [log, sp.acosh, sqrt, sp.asin, sp.atanh, lambda e: 1 / sqrt(e), lambda e: e**pi])
+def test_what_cancels_at_a_counterexample_has_to_be_real(function: Any) -> None:
+    """SymPy has 0 for log(-2) - log(-2)."""
+    claim = function(X) > function(s)
+    same = Eq(function(X), function(s))
+    forged = Counterexample({"X": Fraction(-2), "s": Fraction(-2)}, (1, 1), "0", "1")
+    with pytest.raises(Rejected):
+        recheck(Fails(forged), claim)
+    with pytest.raises(Rejected):
+        recheck(Fails(replace(forged, left="-2", right="4")), X, s**2, given=[same])
+    for found in (prove(claim, given=[X >= s]), prove(X, X + 1, given=[same])):
+        assert isinstance(found, Fails)
+        at = function(sp.sympify(found.counterexample.at["X"]))
+        assert at.is_real
 
 
 @pytest.mark.parametrize(

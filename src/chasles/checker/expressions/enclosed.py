@@ -58,9 +58,8 @@ class EnclosedValues:
 
     def sign(self, e: Any) -> int:
         """The sign; raises `Rejected` where it is not clear."""
-        exact = self.exactly(e)
-        sign = 0 if exact == 0 else self(e).sign
-        if sign is None and vanishes(exact):
+        exact, sign = self.exactly(e), self(e).sign  # what cancels has to be real
+        if exact == 0 or (sign is None and vanishes(exact)):
             return 0
         if sign is None:
             raise Rejected(f"the sign of {e} is not clear at the point")
