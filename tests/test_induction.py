@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -10,7 +11,7 @@ from sympy import Eq, I, Product, Sum, binomial, cos, exp, factorial, log, sin, 
 
 from chasles import prove
 from chasles.prove import Rejected, Untreatable, recheck
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
 i, n = symbols("i n", integer=True, positive=True)
 m, z = symbols("m", integer=True, nonnegative=True), symbols("z", integer=True)
@@ -98,3 +99,46 @@ def test_no_forged_proof_is_accepted() -> None:
             recheck(other, *question)
     with pytest.raises(Rejected):
         recheck(verdict, question[0], question[1] + m)
+
+
+GROWING: list[tuple[Any, bool]] = [
+    (2**n >= n + 1, True),
+    (3**m >= 2 * m + 1, True),
+    ((1 + p) ** m >= 1 + m * p, True),
+    (factorial(n) >= n, True),
+    (4**n >= 3 * n**2, True),
+    (3**n >= 2**n + 1, True),
+    (2**n >= n + 2, False),
+    (2**n > n**2, False),
+    (3**m >= 2**m + 1, False),
+]
+
+
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize(("claim", "true"), GROWING, ids=str)
+def test_powers_and_factorials_are_compared_step_by_step(claim: Any, true: bool) -> None:
+    verdict = prove(claim)
+    assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
+    recheck(verdict, claim)
+    if true and "induction" in getattr(verdict, "certificate", {}):
+        with pytest.raises(Rejected):
+            recheck(verdict, claim.func(claim.lhs, claim.rhs + 1))
+
+
+def test_an_empty_product_is_one() -> None:
+    """SymPy (1.14) takes that of 2 for negative."""
+    product = Product(2, (z, 1, m))
+    for claim in (product > m, 2**m > m):
+        assert not isinstance(outcome(claim), Fails)
+        for left in ("-1", "1"):
+            forged = Fails(Counterexample({str(m): Fraction(0)}, (1, 1), left, "1"))
+            with pytest.raises(Rejected):
+                recheck(forged, claim)
+
+
+def outcome(claim: Any) -> Any:
+    """The verdict, or None where it is refused."""
+    try:
+        return prove(claim)
+    except Untreatable:
+        return None

@@ -23,6 +23,7 @@ from chasles.from_sympy.inequalities import Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt
+from chasles.from_sympy.stepwise import stepwise
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
@@ -82,16 +83,15 @@ def prove(
     return verdict
 
 
-def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, bool]]:
-    """How else a claim is read: an implication as a whole, for its premise may not hold; an inequality plainly."""
+def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, Any]]:
+    """How else a claim is read: an implication as a whole, for its premise may not hold; an inequality by others."""
     if is_implication(lhs, rhs, given):
         yield {"whole": True}
     claim = without_implication(lhs, given)[0]
-    if rhs is None and plainer(claim) is not claim:
-        yield {"plain": True}
+    yield from ({"other": said} for said in (plainer, stepwise) if rhs is None and said(claim) is not claim)
 
 
-def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: bool) -> Verdict:
+def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: Any) -> Verdict:
     """The verdict on a claim as it is read in one way."""
     try:
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
@@ -158,7 +158,7 @@ def recheck(
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
     given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
-    ways: list[Mapping[str, bool]] = [{}, *_other_ways(lhs, rhs, given)]
+    ways: list[Mapping[str, Any]] = [{}, *_other_ways(lhs, rhs, given)]
     reasons: list[Exception] = []
     for way in ways:
         try:

@@ -67,8 +67,9 @@ def cancelled(relation: Any, plainer: Any) -> list[Any]:
 def _partial(e: Any) -> Iterator[Any]:
     """The parts of an expression that may have no value where their own parts have."""
     for part in different_parts(e, lambda part: isinstance(part, BINDING)):
-        power = part.is_Pow and not (part.exp.is_Integer and part.exp > 0) and part.base is not sympy.E
-        function = isinstance(part, sympy.Function) and not isinstance(part, EVERYWHERE)
+        power = part.is_Pow and not (part.exp.is_integer and part.exp.is_nonnegative) and part.base is not sympy.E
+        factorial = isinstance(part, sympy.factorial) and part.args[0].is_nonnegative
+        function = isinstance(part, sympy.Function) and not isinstance(part, EVERYWHERE) and not factorial
         if part.free_symbols and (power or function or (isinstance(part, BINDING) and not is_atom(part))):
             yield part
 

@@ -23,7 +23,6 @@ from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.domains import also_defined, cancelled, lost_in
 from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
-from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.from_sympy.unknown_integrands import is_tied, without_unknown_integrands
@@ -31,11 +30,10 @@ from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 
-def as_said(exact: bool, *said: Any, whole: bool = False, plain: bool = False) -> tuple[Any, ...]:
+def as_said(exact: bool, *said: Any, whole: bool = False, other: Callable[[Any], Any] | None = None) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts.
 
-    What an implication assumes is given, unless the `whole` of it is a claim. A `plain` inequality is said without
-    the increasing function that is taken of both of its sides.
+    What an implication assumes is given, unless the `whole` of it is a claim. An inequality is said in `other` words.
     Raises `Untreatable` for a symbol that is infinite, also where it would cancel: inf + 1 > inf is false.
     """
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
@@ -47,7 +45,7 @@ def as_said(exact: bool, *said: Any, whole: bool = False, plain: bool = False) -
     rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
     if rhs is None and not whole:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
-    claim = plainer(lhs) if plain and rhs is None else lhs
+    claim = other(lhs) if other and rhs is None else lhs
     lost = cancelled(lhs, claim) if rhs is None and isinstance(lhs, COMPARED) else []
     lhs, rhs = sides_of(claim) if rhs is None else (lhs, rhs)
     lhs, *others = in_components((also_defined(lhs, lost), rhs, *conditions))

@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.induction import LONG, Question, joined, least_of, letters_of, scalar_question, steps
+from chasles.checker.expressions.quantities import with_values
 from chasles.checker.sparse import Rejected
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Verdict
@@ -41,7 +42,7 @@ def _decided(question: Question, letter: Any, answer: Callable[..., Verdict]) ->
     """The verdict by one letter; raises `Rejected` or `Untreatable` where something is in the way."""
     least = least_of(letter)
     for value in range(least, least + MOST_TRIED):
-        at = [side.xreplace({letter: sympy.Integer(value)}) for side in question[:2]]
+        at = [with_values(side, {letter: sympy.Integer(value)}) for side in question[:2]]
         verdict = answer(*at, *question[2:])
         if isinstance(verdict, Contradictory):
             return verdict

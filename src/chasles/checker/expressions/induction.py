@@ -67,7 +67,8 @@ def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Qu
         more = sympy.expand(high.xreplace({letter: letter + 1}) - high)
         if others or more not in range(1, MOST_MORE) or part.function.has(letter) or low.has(letter):
             raise Rejected(f"{part} does not grow by a few terms where {letter} grows by one")
-        now[part] = symbol = sympy.Symbol(f"{name}_{count + 1}", real=True)
+        positive = (isinstance(part, sympy.Product) and part.function.is_positive) or None
+        now[part] = symbol = sympy.Symbol(f"{name}_{count + 1}", real=True, positive=positive)
         terms = (part.function.xreplace({index: high + k}) for k in range(1, int(more) + 1))
         then[symbol] = (sympy.Add if isinstance(part, sympy.Sum) else sympy.Mul)(symbol, *terms)
     if {str(symbol) for symbol in then} & {str(s) for e in (left, right, *given) for s in e.free_symbols}:

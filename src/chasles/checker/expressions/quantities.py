@@ -73,14 +73,15 @@ def require_real(e: Any) -> None:
 
 def with_values(e: Any, put: Mapping[Any, Any]) -> Any:
     """The expression with values put in, its cases as they stand: SymPy may simplify conditions without end."""
-    if e in put or not e.has(*COMPARING):
+    if e in put or isinstance(e, sympy.Product) or not e.has(*COMPARING, sympy.Product):
         return e.xreplace(put)
     return rebuilt(e, [with_values(part, put) for part in e.args])
 
 
 def rebuilt(e: Any, parts: Sequence[Any]) -> Any:
-    """The same of other parts, its comparisons as they stand: SymPy (1.14) takes atan(n) for positive if n >= 0."""
+    """The same of other parts, its signs as they stand: SymPy (1.14) errs on those of atan(0) and of empty products."""
     compared = isinstance(e, COMPARING) and any(part.free_symbols for part in parts)
+    compared = compared or (isinstance(e, sympy.Function | sympy.Pow) and any(p.has(sympy.Product) for p in parts))
     return e.func(*parts, evaluate=False) if compared or isinstance(e, sympy.Piecewise) else e.func(*parts)
 
 
