@@ -38,14 +38,12 @@ def by_rules(term: Any, x: Any, ends: tuple[Any, Any]) -> Any:
     """What has the term as its derivative between the ends, and is continuous there; None if none is found."""
     if not _is_simple(term, x):
         return None
-    plain, alone = term.is_rational_function(x), term.free_symbols == {x}
     found = None
     with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError, sympy.PolynomialError):
-        found = (
-            ratint(term, x, real=True)
-            if plain and alone
-            else manualintegrate(sympy.expand(term) if term.has(*INVERSE) else term, x)
-        )
+        if term.is_rational_function(x) and term.free_symbols == {x}:
+            found = ratint(term, x, real=True)
+        else:
+            found = manualintegrate(sympy.expand(term) if term.has(*INVERSE) else term, x)
     if found is None or found.has(sympy.Integral, sympy.RootSum, sympy.I):
         return None
     # Where a divisor vanishes, the other pieces hold: it is among what is divided by.

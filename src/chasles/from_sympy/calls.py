@@ -63,7 +63,8 @@ class Calls:
     """
 
     def __init__(self, said: tuple[Any, ...]) -> None:
-        rates = [e for e in _parts(expressions_in(said), sympy.Derivative) if value_of(e) is None]
+        moving = [e for e in expressions_in(said) if e.has(sympy.Derivative)]
+        rates = [e for e in _parts(moving, sympy.Derivative) if value_of(e) is None]
         slopes = {e: slope for e in rates if not (slope := e.doit()).has(sympy.DiracDelta)}
         said = with_values(said, slopes) if slopes else said
         self.said, self.given = said, said[2:]
@@ -118,29 +119,36 @@ class Calls:
 
         Raises `Rejected` unless that is seen.
         """
-        values = [value for value in dict.fromkeys(self.read.values()) if value.function in self._several]
-        for one, other in combinations(values, 2):
-            told = [str(at.get(str(self._quantity(value)))) for value in (one, other)]
-            if (one.function, one.orders) != (other.function, other.orders) or told[0] == told[1]:
-                continue
-            if not any(sign_of_number(a - b) for a, b in zip(*self._places((one, other), at), strict=True)):
+        for one, other in self._pairs():
+            told, other_told = (at.get(str(self._quantity(value))) for value in (one, other))
+            places = [] if str(told) == str(other_told) else zip(*self._places((one, other), at), strict=True)
+            if places and not any(sign_of_number(a - b) for a, b in places):
                 raise Rejected(f"{one.name} and {other.name} may have the same arguments at the point")
 
     def apart(self) -> list[Any]:
         """For two values of a function, a difference of arguments that is no number, of what else is asked about."""
-        spoken = {atom for e in expressions_in(self.said) for atom in atoms_of(e)}
+        spoken = self._spoken()
         found: dict[Any, None] = {}
-        for one, other in combinations(dict.fromkeys(self.read.values()), 2):
-            if (one.function, one.orders) == (other.function, other.orders) and one.function in self._several:
-                gaps = (sympy.expand(a - b) for a, b in zip(one.arguments, other.arguments, strict=True))
-                put = with_values(tuple(gap for gap in gaps if not gap.is_number), self.put)
-                found |= dict.fromkeys([gap for gap in put if spoken.issuperset(atoms_of(gap))][:1])
+        for one, other in self._pairs():
+            gaps = (sympy.expand(a - b) for a, b in zip(one.arguments, other.arguments, strict=True))
+            put = with_values(tuple(gap for gap in gaps if not gap.is_number), self.put)
+            found |= dict.fromkeys([gap for gap in put if spoken.issuperset(atoms_of(gap))][:1])
         return [*found]
+
+    def _pairs(self) -> Iterator[tuple[Value, Value]]:
+        """Any two values of a function, or of one derivative of it, that occurs at several places."""
+        values = [value for value in dict.fromkeys(self.read.values()) if value.function in self._several]
+        for one, other in combinations(values, 2):
+            if (one.function, one.orders) == (other.function, other.orders):
+                yield one, other
+
+    def _spoken(self) -> set[Any]:
+        return {atom for e in expressions_in(self.said) for atom in atoms_of(e)}
 
     def _places(self, values: Sequence[Value], at: Mapping[str, Any]) -> list[list[Any]]:
         """The arguments of values at the point; what occurs in them only is a prime number, each another."""
         inside = [with_values(value.arguments, self.put) for value in values]
-        spoken = {atom for e in expressions_in(self.said) for atom in atoms_of(e)}
+        spoken = self._spoken()
         point: dict[Any, Any] = {}
         for place, atom in enumerate(
             sorted({a for arguments in inside for e in arguments for a in atoms_of(e)}, key=str)

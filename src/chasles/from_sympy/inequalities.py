@@ -49,12 +49,7 @@ def without_inequalities(said: Said, by_excess: bool = False) -> Said:
     if not apart and not any(isinstance(item, COMPARED) for item in items):
         return said
     stated = _joined([item for item in items if item not in apart])
-    rates = {rate for e in expressions_in(said[:2]) for rate in e.atoms(sympy.Derivative) if not is_atom(rate)}
-    said = (
-        *with_values(said[:2], {rate: rate.doit() for rate in rates}),
-        stated,
-        [*(item for _, item in listed(said[3], "nonzero")), *apart],
-    )
+    said = *said[:2], stated, [*(item for _, item in listed(said[3], "nonzero")), *apart]
     compared = [item for item in stated if isinstance(item, COMPARED) and not by_excess]
     for symbol in sorted({s for item in compared for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
@@ -196,8 +191,6 @@ def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said
 
 def _with_signs_seen(e: Any, new: set[Any]) -> Any:
     """The expression with products where signs of new symbols matter: in divisors, radicands and functions."""
-    if isinstance(e, sympy.Derivative) and not isinstance(e.expr, AppliedUndef):
-        return e.doit()
     if not e.args or not e.free_symbols & new:
         return e
     power = e.is_Pow and e.exp.is_Rational and not (e.exp.is_Integer and e.exp > 0)

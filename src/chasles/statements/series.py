@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import cycle, islice
+from math import factorial
 
 from chasles.vocabulary import Call, Negative, Node, Number, Quotient, Scale, Sum, Zero, plain
 from chasles.vocabulary.functions import FunctionOf
@@ -80,22 +82,13 @@ TURNS = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1), "sin
 
 def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | None]:
     """The coefficients of the Taylor series around a point; None for the point is zero."""
-    factorials = [Fraction(1)]
-    for k in range(1, length):
-        factorials.append(factorials[-1] / k)
+    factors = [Fraction(1, factorial(k)) for k in range(length)]
     if name in TURNS:
-        pair = (
-            []
-            if at is None
-            else [FunctionOf(each, (at,)) if name.endswith("h") else Call(each[:3], at) for each in ("sinh", "cosh")]
-        )
-        values = (ONE, None, ONE) if at is None else (FunctionOf("exp", (at,)), *pair)
+        values, turns = _values(name, at), islice(cycle(TURNS[name]), length)
         signed = [
-            (factorials[k] * (-1 if turn < 0 else 1), values[abs(turn)])
-            for k in range(length)
-            for turn in [TURNS[name][k % 4]]
+            (values[abs(turn)], -each if turn < 0 else each) for turn, each in zip(turns, factors, strict=True)
         ]
-        return [None if value is None else scaled(Number(factor), value) for factor, value in signed]
+        return [None if value is None else scaled(Number(factor), value) for value, factor in signed]
     if name == "sqrt" and at is not None:
         root: Node = at if at == ONE else FunctionOf("sqrt", (at,))
         found, factor, below = list[Node | None](), Fraction(1), root
@@ -105,6 +98,14 @@ def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | N
             below = scaled(below, _over(at))
         return found
     raise TypeError(f"{plain(node)} is not expanded there")
+
+
+def _values(name: str, at: Node | None) -> tuple[Node | None, ...]:
+    """At the point: the exponential function, and sine and cosine, hyperbolic ones for a function of that kind."""
+    if at is None:
+        return ONE, None, ONE
+    hyperbolic = (FunctionOf("sinh", (at,)), FunctionOf("cosh", (at,)))
+    return FunctionOf("exp", (at,)), *(hyperbolic if name.endswith("h") else (Call("sin", at), Call("cos", at)))
 
 
 def by_slope(slope: PowerSeries, inner: PowerSeries, start: Node | None) -> PowerSeries:
