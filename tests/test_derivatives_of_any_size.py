@@ -199,3 +199,19 @@ def test_rates_of_numbers_are_zero_in_every_dimension() -> None:
     assert rate(matrix([1, 0])).measure == rate(3 * matrix([0, 1])).measure
     claim = Claim("1", partial(c[1] ** 2 * c[2], c), row(2 * c[1] * c[2], c[1] ** 2, 0))
     assert isinstance(Session().decide(claim).verdict, Holds)
+
+
+def test_what_is_claimed_of_a_trace_is_used() -> None:
+    trace = Claim("2", tr(B), tr(A.T @ A), given=(Definition("1", B, A @ A.T),))
+    said: list[tuple[Node, Node, bool]] = [
+        (tr(B) + 1, 1 + tr(A.T @ A), True),
+        (tr(rate(B)), 2 * tr(A.T @ rate(A)), True),
+        (partial(tr(B), A), 2 * A, True),
+        (tr(B) + 1, 2 + tr(A.T @ A), False),
+        (tr(rate(B)), 3 * tr(A.T @ rate(A)), False),
+        (partial(tr(B), A), 0 * A, False),
+        (partial(tr(B), A), 3 * A, False),
+    ]
+    for left, right, true in said:
+        verdict = Session().decide(Claim("3", left, right, given=(trace,))).verdict
+        assert verdict.true == true

@@ -190,3 +190,18 @@ def test_they_are_the_slopes(seed: int) -> None:
                     ends.append(evaluate(node, {**values, by: at if by is v else at[0]}, digits=60)[0][0])
                 true = (ends[0] - ends[1]) / (2 * step)
                 assert abs(true - slope) <= mpmath.mpf(10) ** -25 * max(1, abs(slope))
+
+
+def test_what_a_given_claim_ties_is_not_taken_for_independent() -> None:
+    """y = a x^2 / 2 is behind 2 y = a x^2, of which nothing says that y is independent of x."""
+    a, z = scalar("a", "a", ""), scalar("z", "z", "")
+    twice = Claim("2", 2 * z, a * x**2, given=(Definition("1", z, a * x**2 / 2),))
+    alone = Condition("3", 2 * z, a * x**2)
+    decide = Session().decide
+    assert decide(Claim("4", partial(z, x), 0 * z, given=(twice,))).verdict.name == "fails"
+    assert decide(Claim("5", partial(2 * z, x), 2 * a * x, given=(twice,))).verdict.true
+    assert decide(Claim("6", partial(2 * z, a), x**2, given=(twice,))).verdict.true
+    for right in (0 * z, a * x):
+        verdict = decide(Claim("7", partial(z, x), right, given=(alone,))).verdict
+        assert isinstance(verdict, Undecided)
+        assert verdict.reason == "(3) ties z to x, by which it is differentiated: say what it is"

@@ -12,6 +12,7 @@ from chasles.deciding import decided
 from chasles.decisions.decision import Correction, Decision, DoesNotStand, Sentence, Used, key_of
 from chasles.decisions.kept_answers import repairs_stand, verdict_stands
 from chasles.decisions.memory import Memory
+from chasles.decisions.tied import tied_by
 from chasles.prover.decide import BUDGET, determining, pose
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import (
@@ -193,7 +194,8 @@ class Session:
             case Condition():
                 return self._posed(sentence, problem)
             case _:
-                verdict = self.verdict_on(problem, sentence.assuming)
+                tied = tied_by(sentence, accepted)
+                verdict = Undecided(tied) if tied else self.verdict_on(problem, sentence.assuming)
                 if (
                     isinstance(verdict, Contradictory)
                     and isinstance(sentence, Statement)
@@ -208,7 +210,8 @@ class Session:
         if whole is sentence or isinstance(verdict, Contradictory):
             return verdict
         try:
-            found = self.verdict_on(problem_of(whole, "printed", self.accepted), sentence.assuming)
+            problem, tied = problem_of(whole, "printed", self.accepted), tied_by(whole, self.accepted)
+            found = Undecided(tied) if tied else self.verdict_on(problem, sentence.assuming)
         except (Misfit, TypeError) as error:
             found = Undecided(str(error))
         return verdict if isinstance(verdict, Undecided) and isinstance(found, Undecided) else _in_full(found)

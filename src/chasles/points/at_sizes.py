@@ -22,8 +22,11 @@ LARGEST, MOST_SIZES, EACH = 3, 30, 6
 """Sizes are numbers up to the largest; so many of these choices are tried, so often each."""
 
 
-def points_at_sizes(problem: Problem) -> Iterator[dict[str, Fraction]]:
-    """Points at which all that is assumed holds; entries that are zero are not named."""
+def points_at_sizes(problem: Problem, also: str = "") -> Iterator[dict[str, Fraction]]:
+    """Points at which all that is assumed holds, of the kind `also` too; entries that are zero are not named.
+
+    An equation that is given whole may hold of all values of its letters: a point that satisfies it refutes nothing.
+    """
     names = sizes_in(problem)
     choices = sorted(
         product(range(1, LARGEST + 1), repeat=len(names)), key=lambda each: (max(each, default=0), sum(each), each)
@@ -37,7 +40,7 @@ def points_at_sizes(problem: Problem) -> Iterator[dict[str, Fraction]]:
             at = _drawn(problem, symbols, dict(zip(names, choice, strict=True)), draw)
             try:
                 at = _determined(problem, at) if problem.conditions else at
-                PointAtSizes(problem, at).require()
+                PointAtSizes(problem, at).require(also)
             except Rejected:
                 continue
             yield at

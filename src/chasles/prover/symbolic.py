@@ -18,7 +18,7 @@ from chasles.checker.any_size.proof import PROJECTION, check_words, first_and_ne
 from chasles.checker.any_size.words import SymbolicReading
 from chasles.checker.sparse import Rejected
 from chasles.points.at_sizes import points_at_sizes
-from chasles.prover.certifying import proved
+from chasles.prover.certifying import UNSAID, proved
 from chasles.prover.free_words import Completion
 from chasles.prover.rewriting_words import Derived, Multiple, Occurrence, Proof
 from chasles.prover.squares_of_words import SquareOfWords, squares_of_words
@@ -49,7 +49,7 @@ def decide_words(problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
             return Undecided(OPEN)
     else:
         by_induction = None
-    witness = next(points_at_sizes(problem), None)
+    witness = next(points_at_sizes(problem, "condition"), None)
     if witness is None:
         return Undecided(NO_POINT)
     steps, needed = by_induction or ({}, ())
@@ -59,7 +59,7 @@ def decide_words(problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
     except Rejected as reason:
         return Undecided(f"an answer was found that the checker does not follow: {reason}")
     used = {*(needed or proofs.needs()), *(h.text for h in problem.presupposed)}
-    needs = tuple(dict.fromkeys(h.text for h in problem.hypotheses if h.text in used and h.kind != "evident"))
+    needs = tuple(dict.fromkeys(h.text for h in problem.hypotheses if h.text in used and h.kind not in UNSAID))
     unused = tuple(h.text for h in own if h.text not in needs)
     return proved(needs, certificate, witness, unused)
 

@@ -82,17 +82,17 @@ class PointAtSizes:
             case _:
                 return expanded(node, self._of, Fraction)
 
-    def require(self) -> None:
-        """All that is assumed holds there; raises `Rejected` with what does not."""
+    def require(self, also: str = "") -> None:
+        """All that is assumed holds there, hypotheses of the kind `also` too; raises `Rejected` with what does not."""
         for goal in self.problem.conditions:
             if self(goal.left) != self(goal.right):
                 raise Rejected(f"the point does not satisfy {goal.label}")
         for hypothesis in self.problem.hypotheses:
-            if not self._satisfies(hypothesis):
+            if not self._satisfies(hypothesis, also):
                 raise Rejected(f"the point does not satisfy {hypothesis.text}")
 
-    def _satisfies(self, hypothesis: Hypothesis) -> bool:
-        if hypothesis.kind not in SAYING_ALL:
+    def _satisfies(self, hypothesis: Hypothesis, also: str) -> bool:
+        if hypothesis.kind not in (*SAYING_ALL, also):
             raise Rejected(f"of matrices of any size it is not known what is meant by: {hypothesis.text}")
         fails = any(self(left) != self(right) for left, right in hypothesis.equations)
         if fails or any(not self(node)[0][0] for node in hypothesis.nonvanishing):

@@ -110,7 +110,7 @@ def check_words(problem: Problem, certificate: Mapping[str, Any]) -> None:
     What is claimed not to be negative is such a sum and squares. Nor is it said of nothing: the witness satisfies all
     that is assumed. By induction it follows for 1, and for n + 1 from what is claimed of n.
     """
-    PointAtSizes(problem, certificate["witness"]).require()
+    PointAtSizes(problem, certificate["witness"]).require("condition")
     if steps := certificate.get("induction"):
         first, following = first_and_next(problem, steps["over"])
         _check_differences(first, steps["first"], ())
