@@ -32,9 +32,9 @@ def tied_by(statement: Statement | Theorem, accepted: AcceptedSides) -> str:
     for told in statement.given:
         if is_rule(told) or not (isinstance(told, Claim) or (isinstance(told, Condition) and not told.on)):
             continue
-        letters = {letter for side in accepted(told) for letter in _letters(side, {})}
+        letters: set[Node] = {letter for side in accepted(told) for letter in _letters(side, {})}
         if isinstance(told, Claim):
-            defined = {undotted(bare(each.left))[0] for each in definitions_behind((told,))}
+            defined: set[Node] = {undotted(bare(each.left))[0] for each in definitions_behind((told,))}
         else:
             defined = letters
         for each in derivatives:
