@@ -85,9 +85,7 @@ def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | N
     factors = [Fraction(1, factorial(k)) for k in range(length)]
     if name in TURNS:
         values, turns = _values(name, at), islice(cycle(TURNS[name]), length)
-        signed = [
-            (values[abs(turn)], -each if turn < 0 else each) for turn, each in zip(turns, factors, strict=True)
-        ]
+        signed = [(values[abs(turn)], -each if turn < 0 else each) for turn, each in zip(turns, factors, strict=True)]
         return [None if value is None else scaled(Number(factor), value) for value, factor in signed]
     if name == "sqrt" and at is not None:
         root: Node = at if at == ONE else FunctionOf("sqrt", (at,))
