@@ -140,7 +140,7 @@ class _Solved:
         self.quadratic: dict[Any, tuple[Any, Any, Any]] = {}
         for one, other in given:
             difference = self._without_denominators(one - other)
-            for atom in sorted(difference.free_symbols, key=lambda atom: (atom in last, str(atom))):
+            for atom in sorted(_of_degree(difference, 1), key=lambda atom: (atom in last, str(atom))):
                 slope = sympy.diff(difference, atom)
                 if slope != 0 and not slope.has(atom):
                     value = -difference.xreplace({atom: sympy.S.Zero}) / slope
@@ -150,9 +150,9 @@ class _Solved:
                     break
             else:
                 self.left.append(difference)
-        self.left = list(map(self._without_denominators, self.left))
+        self.left = [e for e in map(self._without_denominators, self.left) if e != 0]
         for difference in self.left:
-            for atom in sorted(difference.free_symbols - self.quadratic.keys(), key=str):
+            for atom in sorted(_of_degree(difference, 2) - self.quadratic.keys(), key=str):
                 slope = sympy.diff(difference, atom)
                 twice = sympy.diff(slope, atom)
                 if twice != 0 and not twice.has(atom):
@@ -167,7 +167,8 @@ class _Solved:
         if known == difference:
             return known
         _afford_numerator(known)
-        return sympy.expand(sympy.fraction(sympy.together(known))[0])
+        whole = sympy.cancel if known.is_rational_function(*known.free_symbols) else sympy.together
+        return sympy.expand(sympy.fraction(whole(known))[0])
 
     def roots(self, values: dict[Any, Any]) -> dict[Any, Any]:
         """Atoms whose squares equations say, where there are real ones; with the sign that they had, if one has."""
@@ -184,6 +185,15 @@ class _Solved:
         """Whether all of them hold, exactly."""
         known = all(map(enclosures.sign, self.slopes))
         return known and all(sympy.expand(e.xreplace(enclosures.point)) == 0 for e in self.left)
+
+
+def _of_degree(difference: Any, degree: int) -> set[Any]:
+    """The atoms in which a sum may be a polynomial of the degree."""
+    polynomial = difference.as_poly()
+    if polynomial is None:
+        return set(difference.free_symbols)
+    degrees = zip(polynomial.gens, polynomial.degree_list(), strict=True)
+    return {known for known, reached in degrees if known.is_Symbol and reached == degree}
 
 
 def _afford_numerator(e: Any) -> None:
