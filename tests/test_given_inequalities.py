@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Max, Min, Ne, Piecewise, Rational, acos, asin, atan, atan2, cos, log, pi, sin, sqrt, tan
 
-from chasles.checker.expressions.angles_between import between
+from chasles.checker.expressions.bounded_angles import between
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder
 

@@ -12,7 +12,7 @@ from tests.test_cli.test_cli_read import NOTATION, PAGE, run
 
 from chasles.decisions.session import Session
 from chasles.pages.chapter_notation import notation_of_chapter
-from chasles.pages.kept_declarations import RECORD
+from chasles.pages.folder import RECORD
 from chasles.pages.package import package_of
 from chasles.pages.page import read, read_page
 from chasles.pages.page_chapter import chapter_of

@@ -19,11 +19,11 @@ from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.components import claimed, is_implication, without_implication
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_possible
+from chasles.from_sympy.induction import stepwise
 from chasles.from_sympy.inequalities import Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt
-from chasles.from_sympy.stepwise import stepwise
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit

@@ -9,8 +9,7 @@ from pathlib import Path
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import replace_whole, text_of_file
 from chasles.pages.chapter_notation import notation_of_chapter
-from chasles.pages.folder import QUESTIONS, answers, files_of
-from chasles.pages.kept_declarations import RECORD, BadRecord
+from chasles.pages.folder import QUESTIONS, RECORD, BadRecord, answers, files_of
 from chasles.pages.known_answers import KnownAnswers
 from chasles.pages.page import ReadPage, read_page
 from chasles.reading.letter_table import BadNotation

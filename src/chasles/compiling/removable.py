@@ -25,8 +25,8 @@ from chasles.compiling.angles import (
     square_of,
     with_series,
 )
+from chasles.compiling.exponentials import with_points_together
 from chasles.compiling.growth import in_range
-from chasles.compiling.many_points import with_points_together
 from chasles.compiling.near_zero import in_squares, where_near, without_cancellation
 from chasles.compiling.singular_points import without_singular_points
 from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial

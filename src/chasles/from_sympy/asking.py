@@ -16,8 +16,7 @@ from chasles.checker.sparse import Rejected
 from chasles.from_sympy.arcs import turned
 from chasles.from_sympy.atoms import QuantityNames, nonnegative_by_sign
 from chasles.from_sympy.certificates import Writing
-from chasles.from_sympy.complex_symbols import taken_as_real
-from chasles.from_sympy.complexes import RealParts
+from chasles.from_sympy.complex_symbols import RealParts, taken_as_real
 from chasles.from_sympy.divisors import DivisorText, divisor_of
 from chasles.from_sympy.elementary import Elementary
 from chasles.from_sympy.given import collected, evident, impossible, orders_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -10,9 +10,12 @@ import sympy
 from sympy.combinatorics import Permutation
 from sympy.matrices import MatrixBase
 
-from chasles.checker.expressions.complexes import OF_COMPLEX
+from chasles.checker.expressions.asked import valued
+from chasles.checker.expressions.complexes import OF_COMPLEX, Pair, Parts
+from chasles.checker.expressions.unevaluated import hidden_in
+from chasles.checker.sparse import Rejected
 from chasles.from_sympy.decimals import with_values
-from chasles.from_sympy.opening import atoms_of
+from chasles.from_sympy.opening import Entries, atoms_of, written
 from chasles.problems.variables import Untreatable
 
 ANY_COMPLEX = sympy.Symbol("z", complex=True).assumptions0
@@ -59,3 +62,31 @@ def expressions_in(value: Any) -> Iterator[Any]:
         yield from expressions_in([*value.keys(), *value.values()])
     elif isinstance(value, sympy.Basic) and not isinstance(value, Permutation):  # its `atoms` are integers
         yield value
+
+
+class RealParts(Parts):
+    """Splits what a question speaks of into real and imaginary parts; raises `Untreatable` where it cannot."""
+
+    def equal(self, left: Entries, right: Entries) -> tuple[Entries, Entries]:
+        """Two sides that are equal where the given ones are: imaginary parts, if there are any, are further rows."""
+        found = self.sides(*([e for row in side.rows for e in row] for side in (left, right)))
+        one, other = (in_rows(entries, side) for entries, side in zip(found, (left, right), strict=True))
+        return one, other
+
+    def require(self, said: Any) -> None:
+        """What is cancelled where something is written out has to be defined, too."""
+        for e in expressions_in(said):
+            self.met |= {part: None for hidden in written(hidden_in, e) for part in self.of(written(valued, hidden))}
+
+    def of(self, expression: Any) -> Pair:
+        """The parts of what is read as a whole."""
+        try:
+            return super().of(expression)
+        except Rejected as reason:
+            raise Untreatable(str(reason)) from None
+
+
+def in_rows(entries: Sequence[Any], like: Entries) -> Entries:
+    """The entries row by row, in as many columns as others."""
+    width = like.shape[1]
+    return Entries(tuple(tuple(entries[k : k + width]) for k in range(0, len(entries), width)), like.is_matrix)

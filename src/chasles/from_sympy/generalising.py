@@ -11,9 +11,8 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.asking import ask
-from chasles.from_sympy.general import General
+from chasles.from_sympy.general import General, relations
 from chasles.from_sympy.question import Question
-from chasles.from_sympy.relations import relations
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Holds, HoldsUnder, Verdict
 

@@ -10,16 +10,16 @@ from typing import Any
 
 import sympy
 from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.core.function import Application, AppliedUndef
 from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixExpr
 
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.sparse import Rejected
-from chasles.from_sympy.at_points import without_points
-from chasles.from_sympy.calls import Calls
+from chasles.from_sympy.calls import Calls, value_of
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.components import in_components, sides_of, without_implication
-from chasles.from_sympy.decimals import as_decimals
+from chasles.from_sympy.decimals import as_decimals, each_replaced
 from chasles.from_sympy.domains import also_defined, cancelled, lost_in
 from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
@@ -102,3 +102,27 @@ def _require_real(said: Said, witness: Mapping[str, Any]) -> None:
             continue
         if e.xreplace({atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms}).is_real is False:
             raise Rejected(f"{excerpt(e)} is not real where what is given holds")
+
+
+SMOOTH = sympy.sin | sympy.cos | sympy.exp | AppliedUndef
+
+
+def without_points(said: tuple[Any, ...]) -> tuple[Any, ...]:
+    """What was said, with values put in; raises `Untreatable` where SymPy might cancel what a divisor is, or a kink."""
+    if not any(e.has(sympy.Subs) for e in expressions_in(said)):
+        return said
+    return tuple(each_replaced(each, lambda e: {part: _put(part) for part in e.atoms(sympy.Subs)}) for each in said)
+
+
+def _put(e: Any) -> Any:
+    """The value of what is smooth; of other expressions, the same with other names; a function's value is as it is."""
+    if value_of(e) is not None:
+        return e
+    parts = sympy.Tuple(e.expr, *e.point).atoms(sympy.Pow, Application)
+    if all(isinstance(part, SMOOTH) or (part.is_Pow and part.exp.is_Integer and part.exp > 0) for part in parts):
+        return e.doit()
+    if all(value.is_Symbol for value in e.point) and not {*e.point} & e.expr.free_symbols:
+        named = e.expr.xreplace(dict(zip(e.variables, e.point, strict=True)))
+        if named.xreplace(dict(zip(e.point, e.variables, strict=True))) == e.expr:
+            return named
+    raise Untreatable(f"{excerpt(e)} is not treated: what it divides by may cancel, or it may have no derivative there")

@@ -1,4 +1,7 @@
-"""Sums and products up to a letter: refuted at its least values, or proved by induction on it."""
+"""Sums and products up to a letter: refuted at its least values, or proved by induction on it.
+
+Powers and factorials of a letter are products up to it: then induction on it is tried.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,7 @@ import sympy
 from chasles.checker.expressions.induction import LONG, Question, joined, least_of, letters_of, scalar_question, steps
 from chasles.checker.expressions.quantities import with_values
 from chasles.checker.sparse import Rejected
+from chasles.from_sympy.inequalities import COMPARED
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Verdict
 
@@ -63,3 +67,30 @@ def _decided(question: Question, letter: Any, answer: Callable[..., Verdict]) ->
     said = [{"needs": list(part.needs), "proof": part.certificate, "witness": dict(part.witness)} for part in proved]
     certificate = {"induction": {"on": str(letter), "name": name, "parts": said}}
     return HoldsUnder(tuple(sorted(needs)), certificate, witness) if needs else Holds(certificate, witness)
+
+
+STEP = sympy.Symbol("k_1", integer=True)
+
+
+def stepwise(claim: Any) -> Any:
+    """An inequality with products for b**n and n! of an integer n from zero on; the same if there are none."""
+    if not isinstance(claim, COMPARED) or STEP in claim.free_symbols:
+        return claim
+    found = {part: _product(part) for part in claim.atoms(sympy.Pow, sympy.factorial)}
+    found = {part: value for part, value in found.items() if value is not None}
+    return claim.func(*(side.xreplace(found) for side in claim.args), evaluate=False) if found else claim
+
+
+def _product(part: Any) -> Any:
+    """What a power or a factorial is up to its letter; None for others."""
+    base, exponent = (STEP, part.args[0]) if isinstance(part, sympy.factorial) else part.args
+    letters = [s for s in exponent.free_symbols if s.is_integer and s.is_nonnegative and not base.has(s)]
+    if len(letters) != 1 or base is sympy.E:
+        return None
+    (letter,) = letters
+    slope, start = exponent.coeff(letter), exponent.xreplace({letter: sympy.S.Zero})
+    whole = slope.is_Integer and start.is_Integer and exponent == slope * letter + start
+    if not whole or slope < 1 or (base is STEP and exponent is not letter):
+        return None
+    product = sympy.Product(base**slope, (STEP, 1, letter))
+    return product if base is STEP else base**start * product

@@ -11,8 +11,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction
 
-from chasles.checker.expressions.angles_between import between, ratio
-from chasles.checker.expressions.bounded_angles import is_halved
+from chasles.checker.expressions.bounded_angles import between, is_halved, ratio
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR, is_whole
 from chasles.from_sympy.atoms import assumed_of

@@ -1,15 +1,18 @@
 """The variables of a problem: one for each entry of a free symbol or rate, two for an angle, one for a norm.
 
+The fraction for each quantity is found in them.
+
 An angle phi that occurs with the multiples q of itself is measured by the cosine and sine of u phi, where u is the
 largest rational of which all these q are whole multiples: phi/2 if the half-angle occurs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from chasles.algebra.localization import Localization, Ratio
 from chasles.statements.angles import linear_terms
 from chasles.vocabulary import At, Node, Symbol, plain
 from chasles.vocabulary.letters import entry_names
@@ -124,3 +127,43 @@ def angle_multiples(argument: Node, rules: Mapping[Node, Node]) -> dict[Symbol, 
             raise NoForm(f"{plain(term)} is no angle: an angle is a sum of rational multiples of symbols")
         total[term] = total.get(term, Fraction(0)) + multiple
     return {symbol: multiple for symbol, multiple in total.items() if multiple}
+
+
+class Coordinates:
+    """One for each of `variables`, in their order."""
+
+    def __init__(self, field: Localization, variables: Sequence[Variable]) -> None:
+        self._field = field
+        self._entries: dict[tuple[Symbol | None, int, int, int], int] = {}
+        self._circular: dict[tuple[str, Symbol | None], int] = {}
+        self._norms: dict[Node | None, int] = {}
+        self._units: dict[Symbol | None, Fraction] = {}
+        for place, variable in enumerate(variables):
+            match variable.kind:
+                case "entry":
+                    self._entries[variable.symbol, variable.order, variable.row, variable.column] = place
+                case "cos" | "sin":
+                    self._circular[variable.kind, variable.symbol] = place
+                    self._units[variable.symbol] = variable.unit
+                case "norm":
+                    self._norms[variable.node] = place
+
+    def entry(self, symbol: Symbol, order: int, row: int, column: int) -> Ratio | None:
+        """An entry of a symbol's `order`-th rate; None if there is no variable for it."""
+        place = self._entries.get((symbol, order, row, column))
+        return None if place is None else self._at(place)
+
+    def unit(self, angle: Symbol) -> Fraction:
+        """The variables are the cosine and sine of this multiple of the angle."""
+        return self._units[angle]
+
+    def circular(self, angle: Symbol) -> tuple[Ratio, Ratio]:
+        """The cosine and sine of an angle's unit."""
+        return self._at(self._circular["cos", angle]), self._at(self._circular["sin", angle])
+
+    def norm(self, of: Node) -> Ratio:
+        """The norm of an expression."""
+        return self._at(self._norms[of])
+
+    def _at(self, place: int) -> Ratio:
+        return self._field.ratio(self._field.ring.generators[place])

@@ -9,10 +9,9 @@ from pathlib import PurePath
 from typing import Any, Literal
 
 from chasles.reading.function_values import with_values
-from chasles.reading.hypertext import of_html, of_notebook
 from chasles.reading.lexemes import BadPage, Token, spelled
 from chasles.reading.macros import MOST_WASTED, MacroTable, Source
-from chasles.reading.markup import PageBlock, fenced, indented, spaced
+from chasles.reading.markup import PageBlock, fenced, indented, of_html, of_notebook, spaced
 from chasles.reading.mathjax_macros import configured_macros
 from chasles.reading.named_in_prose import with_names
 from chasles.reading.printed import PrintedEquation, PrintedPage, Remark

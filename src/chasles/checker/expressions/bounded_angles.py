@@ -1,7 +1,8 @@
 """Quantities between bounds, said by symbols that may have any value; squares of the last entry of a unit vector.
 
 What is said of a quantity between two numbers is said of all values of an expression in a new symbol, of an arc if it
-is an angle: everything between the bounds is such a value, and every such value is between them.
+is an angle: everything between the bounds is such a value, and every such value is between them. Between two
+multiples of pi an angle is said by its tangent, its sine or its direction.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ from typing import Any
 import sympy as sp
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction
 
-from chasles.checker.expressions.angles_between import between, ratio
 from chasles.checker.expressions.readings import CIRCULAR
 
 
@@ -87,3 +87,60 @@ def in_fewer_squares(e: Any, units: Mapping[str, list[Any]]) -> tuple[Any, tuple
             e = found
             used.append(text)
     return e, tuple(used)
+
+
+RIGHT = sp.pi / 2
+MOST_HALVINGS = 2
+Fresh = Callable[..., Any]
+"""A new symbol by its name and assumptions."""
+
+
+def between(low: Any, high: Any, after: bool, before: bool, fresh: Fresh, halvings: int = 0) -> Any:
+    """An expression whose values are all angles between two others, without the first or the second one if so said.
+
+    It is `after` the first one if that is excluded, and `before` the second one. None if there is no simple one.
+    """
+    if after and not before:
+        opposite = between(-high, -low, before, after, fresh, halvings)
+        return opposite and -opposite
+    if high - low == 4 * RIGHT and before and not after:
+        return (low + high) / 2 - sp.atan2(fresh("s_1"), fresh("c_1"))
+    quarter = sp.floor(low / RIGHT)
+    for middle in (quarter * RIGHT, (quarter + 1) * RIGHT):
+        if high - middle <= RIGHT and (angle := _near(low - middle, high - middle, after, before, fresh)):
+            return middle + angle
+    half = between(low / 2, high / 2, after, before, fresh, halvings + 1) if halvings < MOST_HALVINGS else None
+    return half and 2 * half
+
+
+def _near(low: Any, high: Any, after: bool, before: bool, fresh: Fresh) -> Any:
+    """The same between two angles that are not more than a right one away from zero."""
+    if not before and RIGHT in (high, -low):
+        known = {} if low else {"nonnegative": True}
+        return sp.asin(fresh("s_1", **known)) if high == RIGHT and low in (-RIGHT, 0) else None
+    if low == -RIGHT and not after:
+        return None
+    least, most = (None if abs(end) == RIGHT else sp.tan(end) for end in (low, high))
+    if any(end is not None and end.has(sp.tan) for end in (least, most)):
+        return None
+    if least is None and most is None:
+        return sp.atan(fresh("s_1"))
+    if not before:
+        return sp.atan(closed(least, most, fresh("s_1")))
+    size = fresh("s_1", **{"positive" if after else "nonnegative": True})
+    if least is None or most is None:
+        return sp.atan(most - size if least is None else least + size)
+    return sp.atan((least + most * size) / (1 + size))
+
+
+def closed(low: Any, high: Any, any_: Any) -> Any:
+    """An expression in a symbol of any value, whose values are all numbers between two others, and both of these."""
+    return sp.factor(low + (high - low) * (1 + any_) ** 2 / (2 * (1 + any_**2)))
+
+
+def ratio(low: Any, high: Any, after: bool, before: bool, fresh: Fresh, name: str = "d_1") -> Any:
+    """An expression whose values are all numbers between two others, without those that are excluded."""
+    if not (after or before):
+        return closed(low, high, fresh(name))
+    d = fresh(name, **{"positive" if after and before else "nonnegative": True})
+    return (low + high * d) / (1 + d) if before else (high + low * d) / (1 + d)
