@@ -669,3 +669,29 @@ def test_lists_words_and_commands_of_other_pages(page: str, expected: list[str])
     equations = chasles.read(page, proposed(displayed(page, "tex")), "tex").equations
     found = [each.part and f"{latex(each.part.left)} {each.part.sign} {latex(each.part.right)}" for each in equations]
     assert [(each or "unread").replace(" ", "") for each in found] == [each.replace(" ", "") for each in expected]
+
+
+OF_MANY_SIZES = {
+    "symbols": {
+        "J": {"is": "matrix", "shape": [9, 9]},
+        "b": {"is": "matrix", "shape": [2, 1]},
+        "y": {"is": "scalar"},
+        r"\phi": {"is": "angle"},
+    },
+    "operators": {"identity": ["I"]},
+}
+
+
+def test_blocks_that_show_their_size_have_it_whatever_else_the_page_has() -> None:
+    zero = r"0_{3\times 3}"
+    rows = [(r"I_{3\times 3}", zero, zero), (zero, r"I_{3\times 3}", zero), (zero, zero, "I_3")]
+    text = r"J = \begin{bmatrix} " + r" \\ ".join(map(" & ".join, rows)) + r" \end{bmatrix}"
+    (found,) = read_equations([PrintedEquation(text)], load_notation(OF_MANY_SIZES))
+    assert found.status == "read", found.why
+
+
+@pytest.mark.parametrize(("text", "status"), [(r"\arctan(y)", "read"), (r"\operatorname{atan2}(y)", "unread")])
+def test_the_angle_of_a_point_takes_two_numbers(text: str, status: str) -> None:
+    (found,) = read_equations([PrintedEquation(rf"\phi = {text}")], load_notation(OF_MANY_SIZES))
+    assert found.status == status
+    assert len(found.readings) == (status == "read")

@@ -184,14 +184,16 @@ def _constant(letter: Glyph, ctx: FittingContext) -> list[Fit]:
         return []
     own = replace(letter, sups=(), place=None)
     rows, columns = (int(size[1]), int(size[2] or 0)) if size else (0, 0)
+    columns = columns or (rows if name in "1I" else 0)
 
     def sized(shape: Shape) -> Node | None:
         fits = rows in (0, shape[0]) and columns in (0, shape[1])
         node = Identity(shape[0], spelled(own)) if name in "1I" else Zero(*shape, spelled(own))
         return node if fits and (name in "0O" or shape[0] == shape[1] != 1) else None
 
-    usual = (rows or 3, columns or rows or 3) if name in "1I" else (rows or 3, columns or 1)
-    fit = Fit(None, sized=sized, usual=usual)
+    usual = (rows or 3, columns or (3 if name in "1I" else 1))
+    node = sized(usual) if rows and columns else None
+    fit = Fit(node) if node is not None else Fit(None, sized=sized, usual=usual)
     return with_marks([fit], replace(letter, base="", accents=(), sub=""), ctx)
 
 

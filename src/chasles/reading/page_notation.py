@@ -36,7 +36,7 @@ from chasles.vocabulary import (
     Zero,
 )
 from chasles.vocabulary.families import Family, Index
-from chasles.vocabulary.functions import PRINTED, FunctionOf
+from chasles.vocabulary.functions import PRINTED, FunctionOf, atan2
 from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import BOOK, Notation
 from chasles.vocabulary.quaternions import QuaternionConjugate
@@ -135,16 +135,17 @@ def usual_spellings(notation: PageNotation) -> None:
     for kind, name in FUNCTIONS.items():
         spellings.add(rf"\operatorname{{{name}}}(#)", kind)
     for name, form in PRINTED.items():
-        one = name not in ("atan2", "max", "min")
+        one = name not in ("max", "min")
         make: Make = lambda *of, name=name: FunctionOf(name, of)  # noqa: E731
-        spellings.add(form if "#" in form else f"{form}(#)", make if not one else lambda of, make=make: make(of))
+        if name != "atan2":
+            spellings.add(form if "#" in form else f"{form}(#)", make if not one else lambda of, make=make: make(of))
     for name in ("sin", "cos"):
         spellings.add(rf"\{name}(#)", lambda of, name=name: Call(name, of))
     spellings.add(r"\exp(#)", exponential)
     spellings.add(r"\operatorname{Exp}(#)", exponential)
     spellings.add(r"\log(#)", lambda of: FunctionOf("log", (of,)))
-    for name in (r"\operatorname{arctan2}", r"\arctan", r"\operatorname{atan}", r"\operatorname{arctg}"):
-        spellings.add(f"{name}(#, #)", lambda *of: FunctionOf("atan2", of))
+    for name in (r"\arctan", *(rf"\operatorname{{{each}}}" for each in ("atan2", "arctan2", "atan", "arctg"))):
+        spellings.add(f"{name}(#, #)", atan2)
     for name in RATIOS:
         command = name if name in COMMANDS else f"operatorname{{{name}}}"
         spellings.add(rf"\{command}(#)", lambda of, name=name: _quotient(name, of))
