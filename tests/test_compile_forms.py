@@ -17,10 +17,10 @@ import chasles
 from chasles.compiling import LoweringError
 from chasles.compiling.derived import derived_from
 from chasles.compiling.inputs import inputs_of
-from chasles.compiling.nesting import nested
 from chasles.compiling.program_of import program_of
 from chasles.compiling.removable import without_removable
 from chasles.compiling.results import outputs_of
+from chasles.compiling.sharing import nested
 from chasles.compiling.sources import sources_of
 from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder

@@ -11,7 +11,7 @@ from markupsafe import Markup
 
 from chasles import cache
 from chasles.exercises.picture import Curve, Picture, Point
-from chasles.report.html.drawn import drawn
+from chasles.report.html.pictures import drawn
 
 PICTURE = Picture("two points", (Point((0, 0, 0), "A"), Point((1, 2, 3), "B")))
 

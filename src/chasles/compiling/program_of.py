@@ -18,12 +18,11 @@ from chasles.compiling.angles import parts_of
 from chasles.compiling.derived import DerivedResults
 from chasles.compiling.elementary import functions_by_class
 from chasles.compiling.inputs import Input
-from chasles.compiling.nesting import nested
 from chasles.compiling.removable import without_removable
 from chasles.compiling.results import ResultEntries
 from chasles.compiling.scalars import Scalars
 from chasles.compiling.sharing import common as common_in
-from chasles.compiling.sharing import repeated
+from chasles.compiling.sharing import nested, repeated
 from chasles.compiling.variables import Substitution, outermost
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price

@@ -16,8 +16,11 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from chasles.compiling.angles import (
+    ANGLE,
     KNOWN,
     QUOTIENTS,
+    ROOT,
+    WholeAngle,
     angle_of,
     divisors,
     parts_of,
@@ -31,7 +34,6 @@ from chasles.compiling.near_zero import in_squares, where_near, without_cancella
 from chasles.compiling.singular_points import without_singular_points
 from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial
 from chasles.compiling.variables import Substitution, outermost
-from chasles.compiling.whole_angles import ANGLE, ROOT, WholeAngle
 
 LEFT = (Stumpff, TaylorPolynomial)
 NORM = sympy.Dummy("norm", dummy_index=2, nonnegative=True)

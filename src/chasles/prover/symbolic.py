@@ -21,7 +21,7 @@ from chasles.points.at_sizes import points_at_sizes
 from chasles.prover.certifying import UNSAID, proved
 from chasles.prover.free_words import Completion
 from chasles.prover.rewriting_words import Derived, Multiple, Occurrence, Proof
-from chasles.prover.squares_of_words import SquareOfWords, squares_of_words
+from chasles.prover.squares import SquareOfWords, squares_of_words
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.inequalities import as_differences
 from chasles.verdict import Counterexample, Fails, Posed, Undecided, Verdict

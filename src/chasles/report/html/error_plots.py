@@ -9,9 +9,8 @@ from typing import Any
 from markupsafe import Markup
 
 from chasles.exercises.drawing import blank_figure
-from chasles.report.html.drawn import drawn
 from chasles.report.html.measured import ErrorAtAngle, ErrorCurve
-from chasles.report.html.pictures import inline
+from chasles.report.html.pictures import drawn, inline
 
 MOST, LEAST = 53 * log10(2), -1.0
 """With 2^53 roundoffs no digit is right: errors that are larger are drawn there; those below a tenth, at a tenth."""

@@ -15,9 +15,8 @@ from chasles.exact.spelling import decimal_text, latex_of, text_of
 from chasles.exercises.solution import Citation, Formula, Solution, SolutionStep, cited
 from chasles.exercises.solving import solve_with
 from chasles.report.html.citing import Link, place_of_number, slug
-from chasles.report.html.drawn import drawn
 from chasles.report.html.formulas import displayed
-from chasles.report.html.pictures import inline, said_of
+from chasles.report.html.pictures import drawn, inline, said_of
 from chasles.report.html.shown import Equation
 from chasles.statements import Chapter, load
 from chasles.statements.exercise import Exercise

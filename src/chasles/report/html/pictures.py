@@ -1,9 +1,14 @@
-"""Figures of matplotlib as parts of the page: small, in the page's colours, with words for who does not see them."""
+"""Figures of matplotlib as parts of the page: small, in the page's colours, with words for who does not see them.
+
+Each is drawn once, and kept by the hash of what it shows, of where it stands and of all that draws it.
+"""
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict
+from collections.abc import Callable
+from hashlib import sha256
 from io import StringIO
 from itertools import count
 from typing import Any
@@ -11,6 +16,7 @@ from xml.etree.ElementTree import Element, SubElement, fromstring, tostring
 
 from markupsafe import Markup
 
+from chasles import cache
 from chasles.exercises.picture import Arrow, Curve, DrawnBody, Graph, Line, Picture, Point
 
 COLOURS = {
@@ -132,3 +138,18 @@ def _rounded(value: str) -> str:
     """The numbers with one decimal; of a path, without blanks that separate nothing."""
     short = re.sub(r"-?\d+\.\d+", lambda found: f"{float(found[0]):.1f}".removesuffix(".0"), value)
     return re.sub(r" *([A-Za-z]) *", r"\1", " ".join(short.split())) if short[:2] == "M " else short
+
+
+ROOM, MOST = "pictures", 16 * 2**20
+"""The folder in the cache, and how many bytes of pictures are kept: some hundred reports."""
+DRAWING = ("exact", "exercises", "report")
+"""The packages on which a picture depends."""
+
+
+def drawn(shows: Any, place: str, draw: Callable[[], Markup]) -> Markup:
+    """The picture of this that is kept, or the one that `draw` makes, which is kept for the next time."""
+    said = repr(shows)
+    if " at 0x" in said:  # it holds what cannot be told by its words
+        return draw()
+    key = sha256(f"{cache.engine(DRAWING, ('matplotlib',))} {place} {said}".encode()).hexdigest()
+    return Markup(cache.kept(ROOM, f"{key}.svg", lambda: draw().encode(), MOST).decode())
