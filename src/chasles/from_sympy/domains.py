@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import combinations
 from typing import Any
 
@@ -12,6 +12,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.matrices import MatrixBase
 
+from chasles.checker.expressions.defined_functions import BY_OTHERS, is_entire
 from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.opening import different_parts
 
@@ -22,6 +23,11 @@ EVERYWHERE = (
 )  # fmt: skip
 """Functions that have a value wherever their arguments have one."""
 BINDING = ExprWithLimits | sympy.Derivative | sympy.Subs
+ABOVE: Mapping[type, Callable[[Any, Any], tuple[Any, ...]]] = {
+    sympy.binomial: lambda n, k: () if k.is_Integer else (n + 1,), sympy.rf: lambda x, n: (x + n,),
+    sympy.ff: lambda x, n: (x + 1,), sympy.beta: lambda x, y: (x, y),
+}  # fmt: skip
+"""Of what gamma functions are divided by others in the functions that are said by them."""
 
 
 def also_defined(side: Any, lost: Iterable[Any]) -> Any:
@@ -39,8 +45,12 @@ def also_defined(side: Any, lost: Iterable[Any]) -> Any:
 
 
 def lost_in(said: Iterable[Any]) -> Iterator[Any]:
-    """What has to be defined in relations and derivatives; of relations that stand by themselves sides are read."""
+    """What has to be defined in relations and derivatives; of relations that stand by themselves sides are read.
+
+    Where gamma functions cancel, as in binomial(x, x), those of a quotient that may have a pole.
+    """
     for e in said:
+        yield from _poles(e)
         stands = {e, *(e.args if isinstance(e, sympy.And) else ())}
         for part in sorted(e.atoms(Relational, sympy.Derivative), key=str):
             if isinstance(part, sympy.Derivative):
@@ -72,6 +82,16 @@ def _partial(e: Any) -> Iterator[Any]:
         function = isinstance(part, sympy.Function) and not isinstance(part, EVERYWHERE) and not factorial
         if part.free_symbols and (power or function or (isinstance(part, BINDING) and not is_atom(part))):
             yield part
+
+
+def _poles(e: Any) -> Iterator[Any]:
+    """The gamma functions above the line of those that stand for others, where the whole comes to something without."""
+    calls = sorted(e.atoms(*ABOVE), key=str)
+    if calls and not e.has(ExprWithLimits, sympy.Derivative, sympy.Subs):
+        said = e.replace(lambda part: type(part) in ABOVE, lambda call: BY_OTHERS[type(call)](call))
+        left = said.replace(is_entire, lambda part: sympy.S.One).atoms(sympy.gamma)
+        poles = (sympy.gamma(argument) for call in calls for argument in ABOVE[type(call)](*call.args))
+        yield from (pole for pole in poles if pole not in left and pole.free_symbols and not pole.args[0].is_positive)
 
 
 def _differentiated(rate: Any) -> Iterator[Any]:
