@@ -322,7 +322,8 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
  * beside the inputs. */
 #define CHASLES_STREAMED 16777216
 #define CHASLES_WIDE 3
-/* Whether such results are copied around the cache: on AMD's Zen 3 loops took half as long again so. */
+/* Whether memory is asked for before it is needed, and such results are copied around the cache: on AMD's Zen 3 and 5
+ * loops took up to half as long again so. */
 #ifndef CHASLES_STREAMS
 #define CHASLES_STREAMS __builtin_cpu_is("intel")
 #endif
@@ -356,6 +357,7 @@ static void settle(void)
     _mm_sfence();
 }
 #else
+#define CHASLES_STREAMS 0
 static int streamed_output(
     const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps, const Stride *strides)
 {
@@ -376,6 +378,7 @@ typedef struct {
     int shift;
     ptrdiff_t lanes;
     Part rest;
+    chasles_stream nothing;
     const int *in_place;
     int singular;
 } Run;
@@ -398,14 +401,13 @@ static void go_on(Run *run, ptrdiff_t items)
     }
 }
 
-static const chasles_stream nothing = {NULL, NULL, 0, 0};
 
 /* Computes items where they lie; gives how many of the rest. */
 static ptrdiff_t run_in_place(Run *run, ptrdiff_t left)
 {
     const ptrdiff_t most = left > run->loop->most ? run->loop->most : left;
     const ptrdiff_t items = most >> run->shift << run->shift;
-    advance(run, &run->rest, items, &nothing);
+    advance(run, &run->rest, items, &run->nothing);
     go_on(run, items);
     return items;
 }
@@ -420,7 +422,7 @@ static ptrdiff_t run_gathered(Run *run, ptrdiff_t left, char *store)
     const ptrdiff_t filled = (items + run->lanes - 1) >> run->shift << run->shift;
     Part part;
     gather(run->loop, &part, &run->rest, run->strides, in_place, items, filled, store);
-    advance(run, &part, items, &nothing);
+    advance(run, &part, items, &run->nothing);
     scatter(run->loop, &part, &run->rest, run->strides, in_place, items);
     go_on(run, items);
     return items;
@@ -437,7 +439,7 @@ static ptrdiff_t run_streamed(Run *run, int k, ptrdiff_t left, char *store)
     const ptrdiff_t odd = (ptrdiff_t)((uintptr_t)run->rest.at[k] % CHASLES_LINE), groups = items >> run->shift;
     char *const start = store + (CHASLES_LINE - (uintptr_t)store % CHASLES_LINE) % CHASLES_LINE;
     char *const rooms[2] = {start, start + half - CHASLES_LINE};
-    chasles_stream stream = nothing;
+    chasles_stream stream = run->nothing;
     ptrdiff_t done = 0;
     for (int turn = 0; left - done >= items; turn = !turn) {
         char *const room = rooms[turn], *const to = run->rest.at[k] - odd;
@@ -469,6 +471,7 @@ void chasles_run(
     Stride strides[CHASLES_OPERANDS];
     Run run;
     int in_place_each[CHASLES_OPERANDS];
+    const chasles_stream nothing = {NULL, NULL, 0, 0, CHASLES_STREAMS};
     const int packed = find_strides(loop, steps, core, strides);
     const int over = overlaps(loop, count, at, steps, strides);
     int lies_well = !over;
@@ -490,6 +493,7 @@ void chasles_run(
     run.shift = shift_of(loop, level);
     run.lanes = (ptrdiff_t)1 << run.shift;
     run.in_place = over || lies_well ? NULL : in_place_each;
+    run.nothing = nothing;
     run.singular = 0;
     memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
     if (lies_well && count == 1) {
@@ -572,6 +576,7 @@ void chasles_run_in_double(
             }
             next += items * numbers;
         }
+        const chasles_stream nothing = {NULL, NULL, 0, 0, 0};
         loop->blocks[level](items >> shift, part.at, part.steps, &nothing);
         for (int k = loop->inputs; k < loop->operands; k++) {
             const ptrdiff_t numbers = part.steps[k] / (ptrdiff_t)sizeof(double);

@@ -87,12 +87,14 @@
 extern "C" {
 #endif
 
-/* What is copied around the cache, `share` lines of memory with each group: `lines` from `from` to `to`, where they begin. */
+/* What is copied around the cache, `share` lines of memory with each group: `lines` from `from` to `to`, where they begin;
+ * and whether blocks ask `ahead` for memory without gaps. */
 typedef struct {
     const char *from;
     char *to;
     ptrdiff_t lines;
     ptrdiff_t share;
+    int ahead;
 } chasles_stream;
 
 /* Computes groups * lanes items: that of operand k starts at at[k], the next one steps[k] bytes on. Its rows are

@@ -35,7 +35,7 @@ CHASLES_INLINE void chasles_normal_matrix_inverse_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -44,7 +44,7 @@ CHASLES_INLINE void chasles_normal_matrix_inverse_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -65,40 +65,38 @@ CHASLES_INLINE void chasles_normal_matrix_inverse_block_items(
         const doubles t4 = 1.0 - t3;
         const doubles t5 = e[0] * t4;
         const doubles t6 = e[1] * t4;
-        const doubles result1 = e[1] * t5;
-        const doubles result2 = e[2] * t5;
-        const doubles result5 = e[2] * t6;
-        const doubles result0 = t3 + e[0] * t5;
-        const doubles result4 = t3 + e[1] * t6;
-        const doubles result8 = t3 + e[2] * (e[2] * t4);
+        const doubles result1_ = e[1] * t5;
+        const doubles result2_ = e[2] * t5;
+        const doubles result5_ = e[2] * t6;
+        const doubles result0_ = t3 + e[0] * t5;
+        const doubles result4_ = t3 + e[1] * t6;
+        const doubles result8_ = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {
+            result0_,
+            result1_,
+            result2_,
+            result1_,
+            result4_,
+            result5_,
+            result2_,
+            result5_,
+            result8_};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, result0, result1, result2, result1);
-            store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
-            store_1(item2 + 8 * sizeof(double), step2, result8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = result0;
-            PACKED(item2 + entries2[1], 0) = result1;
-            PACKED(item2 + entries2[2], 0) = result2;
-            PACKED(item2 + entries2[3], 0) = result1;
-            PACKED(item2 + entries2[4], 0) = result4;
-            PACKED(item2 + entries2[5], 0) = result5;
-            PACKED(item2 + entries2[6], 0) = result2;
-            PACKED(item2 + entries2[7], 0) = result5;
-            PACKED(item2 + entries2[8], 0) = result8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {
-            result0,
-            result1,
-            result2,
-            result1,
-            result4,
-            result5,
-            result2,
-            result5,
-            result8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -130,7 +128,7 @@ CHASLES_INLINE void chasles_normal_matrix_inverse_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -139,7 +137,7 @@ CHASLES_INLINE void chasles_normal_matrix_inverse_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -160,40 +158,38 @@ CHASLES_INLINE void chasles_normal_matrix_inverse_blockf_items(
         const floats t4 = 1.0f - t3;
         const floats t5 = e[0] * t4;
         const floats t6 = e[1] * t4;
-        const floats result1 = e[1] * t5;
-        const floats result2 = e[2] * t5;
-        const floats result5 = e[2] * t6;
-        const floats result0 = t3 + e[0] * t5;
-        const floats result4 = t3 + e[1] * t6;
-        const floats result8 = t3 + e[2] * (e[2] * t4);
+        const floats result1_ = e[1] * t5;
+        const floats result2_ = e[2] * t5;
+        const floats result5_ = e[2] * t6;
+        const floats result0_ = t3 + e[0] * t5;
+        const floats result4_ = t3 + e[1] * t6;
+        const floats result8_ = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {
+            result0_,
+            result1_,
+            result2_,
+            result1_,
+            result4_,
+            result5_,
+            result2_,
+            result5_,
+            result8_};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, result0, result1, result2, result1);
-            store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
-            store_1f(item2 + 8 * sizeof(float), step2, result8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = result0;
-            PACKEDF(item2 + entries2[1], 0) = result1;
-            PACKEDF(item2 + entries2[2], 0) = result2;
-            PACKEDF(item2 + entries2[3], 0) = result1;
-            PACKEDF(item2 + entries2[4], 0) = result4;
-            PACKEDF(item2 + entries2[5], 0) = result5;
-            PACKEDF(item2 + entries2[6], 0) = result2;
-            PACKEDF(item2 + entries2[7], 0) = result5;
-            PACKEDF(item2 + entries2[8], 0) = result8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {
-            result0,
-            result1,
-            result2,
-            result1,
-            result4,
-            result5,
-            result2,
-            result5,
-            result8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -233,7 +229,7 @@ CHASLES_INLINE void chasles_screw_axis_point_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -242,7 +238,7 @@ CHASLES_INLINE void chasles_screw_axis_point_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -258,7 +254,7 @@ CHASLES_INLINE void chasles_screw_axis_point_block_items(
         }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a[0]);
         } else if (step2 == sizeof(double)) {
@@ -274,7 +270,7 @@ CHASLES_INLINE void chasles_screw_axis_point_block_items(
         }
         doubles a_prime[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &a_prime[0]);
         } else if (step3 == sizeof(double)) {
@@ -303,16 +299,16 @@ CHASLES_INLINE void chasles_screw_axis_point_block_items(
         const doubles p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 3, sizeof(double));
+        prefetch_to_write(item4, step4, 3, sizeof(double), copied.ahead);
+        const doubles result4[] = {p_0_0, p_0_1, p_0_2};
         if (dense4) {
-            store_3(item4 + 0 * sizeof(double), step4, p_0_0, p_0_1, p_0_2);
+            store_all(item4, step4, 3, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = p_0_0;
-            PACKED(item4 + entries4[1], 0) = p_0_1;
-            PACKED(item4 + entries4[2], 0) = p_0_2;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
         } else {
-            const doubles all[] = {p_0_0, p_0_1, p_0_2};
-            give_each(item4, entries4, step4, 3, all);
+            give_each(item4, entries4, step4, 3, result4);
         }
         stream_lines(&copied);
     }
@@ -352,7 +348,7 @@ CHASLES_INLINE void chasles_screw_axis_point_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -361,7 +357,7 @@ CHASLES_INLINE void chasles_screw_axis_point_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -377,7 +373,7 @@ CHASLES_INLINE void chasles_screw_axis_point_blockf_items(
         }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
         } else if (step2 == sizeof(float)) {
@@ -393,7 +389,7 @@ CHASLES_INLINE void chasles_screw_axis_point_blockf_items(
         }
         floats a_prime[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &a_prime[0]);
         } else if (step3 == sizeof(float)) {
@@ -422,16 +418,16 @@ CHASLES_INLINE void chasles_screw_axis_point_blockf_items(
         const floats p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 3, sizeof(float));
+        prefetch_to_write(item4, step4, 3, sizeof(float), copied.ahead);
+        const floats result4[] = {p_0_0, p_0_1, p_0_2};
         if (dense4) {
-            store_3f(item4 + 0 * sizeof(float), step4, p_0_0, p_0_1, p_0_2);
+            store_allf(item4, step4, 3, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = p_0_0;
-            PACKEDF(item4 + entries4[1], 0) = p_0_1;
-            PACKEDF(item4 + entries4[2], 0) = p_0_2;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
         } else {
-            const floats all[] = {p_0_0, p_0_1, p_0_2};
-            give_eachf(item4, entries4, step4, 3, all);
+            give_eachf(item4, entries4, step4, 3, result4);
         }
         stream_lines(&copied);
     }

@@ -34,7 +34,7 @@ CHASLES_INLINE void chasles_plucker_line_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles p_1[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &p_1[0]);
         } else if (step0 == sizeof(double)) {
@@ -50,7 +50,7 @@ CHASLES_INLINE void chasles_plucker_line_block_items(
         }
         doubles p_2[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &p_2[0]);
         } else if (step1 == sizeof(double)) {
@@ -86,20 +86,19 @@ CHASLES_INLINE void chasles_plucker_line_block_items(
         const doubles kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 6, sizeof(double));
+        prefetch_to_write(item2, step2, 6, sizeof(double), copied.ahead);
+        const doubles result2[] = {kappa0, kappa1, kappa2, kappa3, kappa4, kappa5};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, kappa0, kappa1, kappa2, kappa3);
-            store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
+            store_all(item2, step2, 6, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = kappa0;
-            PACKED(item2 + entries2[1], 0) = kappa1;
-            PACKED(item2 + entries2[2], 0) = kappa2;
-            PACKED(item2 + entries2[3], 0) = kappa3;
-            PACKED(item2 + entries2[4], 0) = kappa4;
-            PACKED(item2 + entries2[5], 0) = kappa5;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
         } else {
-            const doubles all[] = {kappa0, kappa1, kappa2, kappa3, kappa4, kappa5};
-            give_each(item2, entries2, step2, 6, all);
+            give_each(item2, entries2, step2, 6, result2);
         }
         stream_lines(&copied);
     }
@@ -130,7 +129,7 @@ CHASLES_INLINE void chasles_plucker_line_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats p_1[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &p_1[0]);
         } else if (step0 == sizeof(float)) {
@@ -146,7 +145,7 @@ CHASLES_INLINE void chasles_plucker_line_blockf_items(
         }
         floats p_2[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &p_2[0]);
         } else if (step1 == sizeof(float)) {
@@ -182,20 +181,19 @@ CHASLES_INLINE void chasles_plucker_line_blockf_items(
         const floats kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 6, sizeof(float));
+        prefetch_to_write(item2, step2, 6, sizeof(float), copied.ahead);
+        const floats result2[] = {kappa0, kappa1, kappa2, kappa3, kappa4, kappa5};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, kappa0, kappa1, kappa2, kappa3);
-            store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
+            store_allf(item2, step2, 6, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = kappa0;
-            PACKEDF(item2 + entries2[1], 0) = kappa1;
-            PACKEDF(item2 + entries2[2], 0) = kappa2;
-            PACKEDF(item2 + entries2[3], 0) = kappa3;
-            PACKEDF(item2 + entries2[4], 0) = kappa4;
-            PACKEDF(item2 + entries2[5], 0) = kappa5;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
         } else {
-            const floats all[] = {kappa0, kappa1, kappa2, kappa3, kappa4, kappa5};
-            give_eachf(item2, entries2, step2, 6, all);
+            give_eachf(item2, entries2, step2, 6, result2);
         }
         stream_lines(&copied);
     }
@@ -230,7 +228,7 @@ CHASLES_INLINE void chasles_plucker_transfer_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles kappa_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &kappa_A[0]);
             load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
@@ -253,7 +251,7 @@ CHASLES_INLINE void chasles_plucker_transfer_block_items(
         }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a[0]);
         } else if (step1 == sizeof(double)) {
@@ -269,7 +267,7 @@ CHASLES_INLINE void chasles_plucker_transfer_block_items(
         }
         doubles b[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &b[0]);
         } else if (step2 == sizeof(double)) {
@@ -293,20 +291,19 @@ CHASLES_INLINE void chasles_plucker_transfer_block_items(
         const doubles kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {kappa_B0, kappa_B1, kappa_B2, kappa_B3, kappa_B4, kappa_B5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
-            store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = kappa_B0;
-            PACKED(item3 + entries3[1], 0) = kappa_B1;
-            PACKED(item3 + entries3[2], 0) = kappa_B2;
-            PACKED(item3 + entries3[3], 0) = kappa_B3;
-            PACKED(item3 + entries3[4], 0) = kappa_B4;
-            PACKED(item3 + entries3[5], 0) = kappa_B5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {kappa_B0, kappa_B1, kappa_B2, kappa_B3, kappa_B4, kappa_B5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -349,7 +346,7 @@ CHASLES_INLINE void chasles_plucker_transfer_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats kappa_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &kappa_A[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
@@ -372,7 +369,7 @@ CHASLES_INLINE void chasles_plucker_transfer_blockf_items(
         }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
         } else if (step1 == sizeof(float)) {
@@ -388,7 +385,7 @@ CHASLES_INLINE void chasles_plucker_transfer_blockf_items(
         }
         floats b[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &b[0]);
         } else if (step2 == sizeof(float)) {
@@ -412,20 +409,19 @@ CHASLES_INLINE void chasles_plucker_transfer_blockf_items(
         const floats kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {kappa_B0, kappa_B1, kappa_B2, kappa_B3, kappa_B4, kappa_B5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
-            store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = kappa_B0;
-            PACKEDF(item3 + entries3[1], 0) = kappa_B1;
-            PACKEDF(item3 + entries3[2], 0) = kappa_B2;
-            PACKEDF(item3 + entries3[3], 0) = kappa_B3;
-            PACKEDF(item3 + entries3[4], 0) = kappa_B4;
-            PACKEDF(item3 + entries3[5], 0) = kappa_B5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {kappa_B0, kappa_B1, kappa_B2, kappa_B3, kappa_B4, kappa_B5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }

@@ -34,7 +34,7 @@ CHASLES_INLINE void chasles_rotation_in_triad_axes_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &triad[0]);
             load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
@@ -64,7 +64,7 @@ CHASLES_INLINE void chasles_rotation_in_triad_axes_block_items(
         }
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4(item1 + 0 * sizeof(double), step1, &triad_prime[0]);
             load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
@@ -111,24 +111,22 @@ CHASLES_INLINE void chasles_rotation_in_triad_axes_block_items(
         const doubles t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
-            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-            store_1(item2 + 8 * sizeof(double), step2, Q8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = Q0;
-            PACKED(item2 + entries2[1], 0) = Q1;
-            PACKED(item2 + entries2[2], 0) = Q2;
-            PACKED(item2 + entries2[3], 0) = Q3;
-            PACKED(item2 + entries2[4], 0) = Q4;
-            PACKED(item2 + entries2[5], 0) = Q5;
-            PACKED(item2 + entries2[6], 0) = Q6;
-            PACKED(item2 + entries2[7], 0) = Q7;
-            PACKED(item2 + entries2[8], 0) = Q8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -166,7 +164,7 @@ CHASLES_INLINE void chasles_rotation_in_triad_axes_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &triad[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
@@ -196,7 +194,7 @@ CHASLES_INLINE void chasles_rotation_in_triad_axes_blockf_items(
         }
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4f(item1 + 0 * sizeof(float), step1, &triad_prime[0]);
             load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
@@ -243,24 +241,22 @@ CHASLES_INLINE void chasles_rotation_in_triad_axes_blockf_items(
         const floats t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
-            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = Q0;
-            PACKEDF(item2 + entries2[1], 0) = Q1;
-            PACKEDF(item2 + entries2[2], 0) = Q2;
-            PACKEDF(item2 + entries2[3], 0) = Q3;
-            PACKEDF(item2 + entries2[4], 0) = Q4;
-            PACKEDF(item2 + entries2[5], 0) = Q5;
-            PACKEDF(item2 + entries2[6], 0) = Q6;
-            PACKEDF(item2 + entries2[7], 0) = Q7;
-            PACKEDF(item2 + entries2[8], 0) = Q8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -298,7 +294,7 @@ CHASLES_INLINE void chasles_rotation_from_triads_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &triad[0]);
             load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
@@ -328,7 +324,7 @@ CHASLES_INLINE void chasles_rotation_from_triads_block_items(
         }
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4(item1 + 0 * sizeof(double), step1, &triad_prime[0]);
             load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
@@ -375,24 +371,22 @@ CHASLES_INLINE void chasles_rotation_from_triads_block_items(
         const doubles t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
-            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-            store_1(item2 + 8 * sizeof(double), step2, Q8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = Q0;
-            PACKED(item2 + entries2[1], 0) = Q1;
-            PACKED(item2 + entries2[2], 0) = Q2;
-            PACKED(item2 + entries2[3], 0) = Q3;
-            PACKED(item2 + entries2[4], 0) = Q4;
-            PACKED(item2 + entries2[5], 0) = Q5;
-            PACKED(item2 + entries2[6], 0) = Q6;
-            PACKED(item2 + entries2[7], 0) = Q7;
-            PACKED(item2 + entries2[8], 0) = Q8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -430,7 +424,7 @@ CHASLES_INLINE void chasles_rotation_from_triads_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &triad[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
@@ -460,7 +454,7 @@ CHASLES_INLINE void chasles_rotation_from_triads_blockf_items(
         }
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4f(item1 + 0 * sizeof(float), step1, &triad_prime[0]);
             load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
@@ -507,24 +501,22 @@ CHASLES_INLINE void chasles_rotation_from_triads_blockf_items(
         const floats t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
-            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = Q0;
-            PACKEDF(item2 + entries2[1], 0) = Q1;
-            PACKEDF(item2 + entries2[2], 0) = Q2;
-            PACKEDF(item2 + entries2[3], 0) = Q3;
-            PACKEDF(item2 + entries2[4], 0) = Q4;
-            PACKEDF(item2 + entries2[5], 0) = Q5;
-            PACKEDF(item2 + entries2[6], 0) = Q6;
-            PACKEDF(item2 + entries2[7], 0) = Q7;
-            PACKEDF(item2 + entries2[8], 0) = Q8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }

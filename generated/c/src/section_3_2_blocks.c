@@ -30,7 +30,7 @@ CHASLES_INLINE void chasles_cross_product_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles v[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &v[0]);
         } else if (step0 == sizeof(double)) {
@@ -51,24 +51,22 @@ CHASLES_INLINE void chasles_cross_product_matrix_block_items(
         const doubles V5 = -V7;
         const doubles V6 = -V2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), V1, V2, V3, spread(0.0), V5, V6, V7, spread(0.0)};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), V1, V2, V3);
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), V5, V6, V7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = V1;
-            PACKED(item1 + entries1[2], 0) = V2;
-            PACKED(item1 + entries1[3], 0) = V3;
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = V5;
-            PACKED(item1 + entries1[6], 0) = V6;
-            PACKED(item1 + entries1[7], 0) = V7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), V1, V2, V3, spread(0.0), V5, V6, V7, spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -101,7 +99,7 @@ CHASLES_INLINE void chasles_cross_product_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats v[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &v[0]);
         } else if (step0 == sizeof(float)) {
@@ -122,24 +120,22 @@ CHASLES_INLINE void chasles_cross_product_matrix_blockf_items(
         const floats V5 = -V7;
         const floats V6 = -V2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {spreadf(0.0f), V1, V2, V3, spreadf(0.0f), V5, V6, V7, spreadf(0.0f)};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), V1, V2, V3);
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), V5, V6, V7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = V1;
-            PACKEDF(item1 + entries1[2], 0) = V2;
-            PACKEDF(item1 + entries1[3], 0) = V3;
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = V5;
-            PACKEDF(item1 + entries1[6], 0) = V6;
-            PACKEDF(item1 + entries1[7], 0) = V7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {spreadf(0.0f), V1, V2, V3, spreadf(0.0f), V5, V6, V7, spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -177,7 +173,7 @@ CHASLES_INLINE void chasles_rotation_from_axis_angle_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -186,7 +182,7 @@ CHASLES_INLINE void chasles_rotation_from_axis_angle_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -221,24 +217,22 @@ CHASLES_INLINE void chasles_rotation_from_axis_angle_block_items(
         const doubles Q6 = t5 - t8;
         const doubles Q7 = t6 + t7;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
-            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-            store_1(item2 + 8 * sizeof(double), step2, Q8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = Q0;
-            PACKED(item2 + entries2[1], 0) = Q1;
-            PACKED(item2 + entries2[2], 0) = Q2;
-            PACKED(item2 + entries2[3], 0) = Q3;
-            PACKED(item2 + entries2[4], 0) = Q4;
-            PACKED(item2 + entries2[5], 0) = Q5;
-            PACKED(item2 + entries2[6], 0) = Q6;
-            PACKED(item2 + entries2[7], 0) = Q7;
-            PACKED(item2 + entries2[8], 0) = Q8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -270,7 +264,7 @@ CHASLES_INLINE void chasles_rotation_from_axis_angle_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -279,7 +273,7 @@ CHASLES_INLINE void chasles_rotation_from_axis_angle_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -314,24 +308,22 @@ CHASLES_INLINE void chasles_rotation_from_axis_angle_blockf_items(
         const floats Q6 = t5 - t8;
         const floats Q7 = t6 + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
-            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = Q0;
-            PACKEDF(item2 + entries2[1], 0) = Q1;
-            PACKEDF(item2 + entries2[2], 0) = Q2;
-            PACKEDF(item2 + entries2[3], 0) = Q3;
-            PACKEDF(item2 + entries2[4], 0) = Q4;
-            PACKEDF(item2 + entries2[5], 0) = Q5;
-            PACKEDF(item2 + entries2[6], 0) = Q6;
-            PACKEDF(item2 + entries2[7], 0) = Q7;
-            PACKEDF(item2 + entries2[8], 0) = Q8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -370,7 +362,7 @@ CHASLES_INLINE void chasles_point_after_displacement_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
             load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
@@ -400,7 +392,7 @@ CHASLES_INLINE void chasles_point_after_displacement_block_items(
         }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a[0]);
         } else if (step1 == sizeof(double)) {
@@ -416,7 +408,7 @@ CHASLES_INLINE void chasles_point_after_displacement_block_items(
         }
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a_prime[0]);
         } else if (step2 == sizeof(double)) {
@@ -432,7 +424,7 @@ CHASLES_INLINE void chasles_point_after_displacement_block_items(
         }
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &p[0]);
         } else if (step3 == sizeof(double)) {
@@ -453,16 +445,16 @@ CHASLES_INLINE void chasles_point_after_displacement_block_items(
         const doubles p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const doubles p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 3, sizeof(double));
+        prefetch_to_write(item4, step4, 3, sizeof(double), copied.ahead);
+        const doubles result4[] = {p_prime0, p_prime1, p_prime2};
         if (dense4) {
-            store_3(item4 + 0 * sizeof(double), step4, p_prime0, p_prime1, p_prime2);
+            store_all(item4, step4, 3, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = p_prime0;
-            PACKED(item4 + entries4[1], 0) = p_prime1;
-            PACKED(item4 + entries4[2], 0) = p_prime2;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
         } else {
-            const doubles all[] = {p_prime0, p_prime1, p_prime2};
-            give_each(item4, entries4, step4, 3, all);
+            give_each(item4, entries4, step4, 3, result4);
         }
         stream_lines(&copied);
     }
@@ -510,7 +502,7 @@ CHASLES_INLINE void chasles_point_after_displacement_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
@@ -540,7 +532,7 @@ CHASLES_INLINE void chasles_point_after_displacement_blockf_items(
         }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
         } else if (step1 == sizeof(float)) {
@@ -556,7 +548,7 @@ CHASLES_INLINE void chasles_point_after_displacement_blockf_items(
         }
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a_prime[0]);
         } else if (step2 == sizeof(float)) {
@@ -572,7 +564,7 @@ CHASLES_INLINE void chasles_point_after_displacement_blockf_items(
         }
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &p[0]);
         } else if (step3 == sizeof(float)) {
@@ -593,16 +585,16 @@ CHASLES_INLINE void chasles_point_after_displacement_blockf_items(
         const floats p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const floats p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 3, sizeof(float));
+        prefetch_to_write(item4, step4, 3, sizeof(float), copied.ahead);
+        const floats result4[] = {p_prime0, p_prime1, p_prime2};
         if (dense4) {
-            store_3f(item4 + 0 * sizeof(float), step4, p_prime0, p_prime1, p_prime2);
+            store_allf(item4, step4, 3, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = p_prime0;
-            PACKEDF(item4 + entries4[1], 0) = p_prime1;
-            PACKEDF(item4 + entries4[2], 0) = p_prime2;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
         } else {
-            const floats all[] = {p_prime0, p_prime1, p_prime2};
-            give_eachf(item4, entries4, step4, 3, all);
+            give_eachf(item4, entries4, step4, 3, result4);
         }
         stream_lines(&copied);
     }
@@ -642,7 +634,7 @@ CHASLES_INLINE void chasles_pitch_of_motion_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -658,11 +650,11 @@ CHASLES_INLINE void chasles_pitch_of_motion_block_items(
         }
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         doubles d_P[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &d_P[0]);
         } else if (step2 == sizeof(double)) {
@@ -679,7 +671,7 @@ CHASLES_INLINE void chasles_pitch_of_motion_block_items(
         const doubles t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const doubles result_value = choose(equal(phi, spread(0.0)), spread(0.0), t1) / phi;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 1, sizeof(double));
+        prefetch_to_write(item3, step3, 1, sizeof(double), copied.ahead);
         store_1(item3, step3, result_value);
         stream_lines(&copied);
     }
@@ -718,7 +710,7 @@ CHASLES_INLINE void chasles_pitch_of_motion_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -734,11 +726,11 @@ CHASLES_INLINE void chasles_pitch_of_motion_blockf_items(
         }
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         floats d_P[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &d_P[0]);
         } else if (step2 == sizeof(float)) {
@@ -755,7 +747,7 @@ CHASLES_INLINE void chasles_pitch_of_motion_blockf_items(
         const floats t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const floats result_value = choosef(equalf(phi, spreadf(0.0f)), spreadf(0.0f), t1) / phi;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 1, sizeof(float));
+        prefetch_to_write(item3, step3, 1, sizeof(float), copied.ahead);
         store_1f(item3, step3, result_value);
         stream_lines(&copied);
     }

@@ -30,7 +30,7 @@ CHASLES_INLINE void chasles_axial_vector_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Omega[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 1 * sizeof(double), step0, &Omega[1]);
             load_4(item0 + 5 * sizeof(double), step0, &Omega[5]);
@@ -55,16 +55,16 @@ CHASLES_INLINE void chasles_axial_vector_block_items(
         const doubles omega1 = 0.5 * (Omega[2] - Omega[6]);
         const doubles omega2 = 0.5 * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(double));
+        prefetch_to_write(item1, step1, 3, sizeof(double), copied.ahead);
+        const doubles result1[] = {omega0, omega1, omega2};
         if (dense1) {
-            store_3(item1 + 0 * sizeof(double), step1, omega0, omega1, omega2);
+            store_all(item1, step1, 3, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = omega0;
-            PACKED(item1 + entries1[1], 0) = omega1;
-            PACKED(item1 + entries1[2], 0) = omega2;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
         } else {
-            const doubles all[] = {omega0, omega1, omega2};
-            give_each(item1, entries1, step1, 3, all);
+            give_each(item1, entries1, step1, 3, result1);
         }
         stream_lines(&copied);
     }
@@ -97,7 +97,7 @@ CHASLES_INLINE void chasles_axial_vector_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Omega[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 1 * sizeof(float), step0, &Omega[1]);
             load_4f(item0 + 5 * sizeof(float), step0, &Omega[5]);
@@ -122,16 +122,16 @@ CHASLES_INLINE void chasles_axial_vector_blockf_items(
         const floats omega1 = 0.5f * (Omega[2] - Omega[6]);
         const floats omega2 = 0.5f * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(float));
+        prefetch_to_write(item1, step1, 3, sizeof(float), copied.ahead);
+        const floats result1[] = {omega0, omega1, omega2};
         if (dense1) {
-            store_3f(item1 + 0 * sizeof(float), step1, omega0, omega1, omega2);
+            store_allf(item1, step1, 3, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = omega0;
-            PACKEDF(item1 + entries1[1], 0) = omega1;
-            PACKEDF(item1 + entries1[2], 0) = omega2;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
         } else {
-            const floats all[] = {omega0, omega1, omega2};
-            give_eachf(item1, entries1, step1, 3, all);
+            give_eachf(item1, entries1, step1, 3, result1);
         }
         stream_lines(&copied);
     }

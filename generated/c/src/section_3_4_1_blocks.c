@@ -38,7 +38,7 @@ CHASLES_INLINE void chasles_instant_screw_point_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
         } else if (step0 == sizeof(double)) {
@@ -54,7 +54,7 @@ CHASLES_INLINE void chasles_instant_screw_point_block_items(
         }
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a_dot[0]);
         } else if (step1 == sizeof(double)) {
@@ -70,7 +70,7 @@ CHASLES_INLINE void chasles_instant_screw_point_block_items(
         }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a[0]);
         } else if (step2 == sizeof(double)) {
@@ -102,16 +102,16 @@ CHASLES_INLINE void chasles_instant_screw_point_block_items(
         const doubles p_0_prime1 = choose(t14, spread(0.0), t9 * t11 - t7 * t13) / t10 / t6;
         const doubles p_0_prime2 = choose(t14, spread(0.0), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 3, sizeof(double));
+        prefetch_to_write(item3, step3, 3, sizeof(double), copied.ahead);
+        const doubles result3[] = {p_0_prime0, p_0_prime1, p_0_prime2};
         if (dense3) {
-            store_3(item3 + 0 * sizeof(double), step3, p_0_prime0, p_0_prime1, p_0_prime2);
+            store_all(item3, step3, 3, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = p_0_prime0;
-            PACKED(item3 + entries3[1], 0) = p_0_prime1;
-            PACKED(item3 + entries3[2], 0) = p_0_prime2;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
         } else {
-            const doubles all[] = {p_0_prime0, p_0_prime1, p_0_prime2};
-            give_each(item3, entries3, step3, 3, all);
+            give_each(item3, entries3, step3, 3, result3);
         }
         stream_lines(&copied);
     }
@@ -146,7 +146,7 @@ CHASLES_INLINE void chasles_instant_screw_point_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
         } else if (step0 == sizeof(float)) {
@@ -162,7 +162,7 @@ CHASLES_INLINE void chasles_instant_screw_point_blockf_items(
         }
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a_dot[0]);
         } else if (step1 == sizeof(float)) {
@@ -178,7 +178,7 @@ CHASLES_INLINE void chasles_instant_screw_point_blockf_items(
         }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
         } else if (step2 == sizeof(float)) {
@@ -210,16 +210,16 @@ CHASLES_INLINE void chasles_instant_screw_point_blockf_items(
         const floats p_0_prime1 = choosef(t14, spreadf(0.0f), t9 * t11 - t7 * t13) / t10 / t6;
         const floats p_0_prime2 = choosef(t14, spreadf(0.0f), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 3, sizeof(float));
+        prefetch_to_write(item3, step3, 3, sizeof(float), copied.ahead);
+        const floats result3[] = {p_0_prime0, p_0_prime1, p_0_prime2};
         if (dense3) {
-            store_3f(item3 + 0 * sizeof(float), step3, p_0_prime0, p_0_prime1, p_0_prime2);
+            store_allf(item3, step3, 3, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = p_0_prime0;
-            PACKEDF(item3 + entries3[1], 0) = p_0_prime1;
-            PACKEDF(item3 + entries3[2], 0) = p_0_prime2;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
         } else {
-            const floats all[] = {p_0_prime0, p_0_prime1, p_0_prime2};
-            give_eachf(item3, entries3, step3, 3, all);
+            give_eachf(item3, entries3, step3, 3, result3);
         }
         stream_lines(&copied);
     }

@@ -35,7 +35,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -44,7 +44,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -86,27 +86,25 @@ CHASLES_INLINE void chasles_natural_rate_matrix_block_items(
         const doubles N6 = half_N10 - t7;
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(double));
+        prefetch_to_write(item2, step2, 12, sizeof(double), copied.ahead);
+        const doubles result2[] = {N0, N1, N2, N3, N4, N5, N6, N7, N8, N9, N10, N11};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, N0, N1, N2, N3);
-            store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
-            store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
+            store_all(item2, step2, 12, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = N0;
-            PACKED(item2 + entries2[1], 0) = N1;
-            PACKED(item2 + entries2[2], 0) = N2;
-            PACKED(item2 + entries2[3], 0) = N3;
-            PACKED(item2 + entries2[4], 0) = N4;
-            PACKED(item2 + entries2[5], 0) = N5;
-            PACKED(item2 + entries2[6], 0) = N6;
-            PACKED(item2 + entries2[7], 0) = N7;
-            PACKED(item2 + entries2[8], 0) = N8;
-            PACKED(item2 + entries2[9], 0) = N9;
-            PACKED(item2 + entries2[10], 0) = N10;
-            PACKED(item2 + entries2[11], 0) = N11;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
+            PACKED(item2 + entries2[9], 0) = result2[9];
+            PACKED(item2 + entries2[10], 0) = result2[10];
+            PACKED(item2 + entries2[11], 0) = result2[11];
         } else {
-            const doubles all[] = {N0, N1, N2, N3, N4, N5, N6, N7, N8, N9, N10, N11};
-            give_each(item2, entries2, step2, 12, all);
+            give_each(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -138,7 +136,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -147,7 +145,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -189,27 +187,25 @@ CHASLES_INLINE void chasles_natural_rate_matrix_blockf_items(
         const floats N6 = half_N10 - t7;
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(float));
+        prefetch_to_write(item2, step2, 12, sizeof(float), copied.ahead);
+        const floats result2[] = {N0, N1, N2, N3, N4, N5, N6, N7, N8, N9, N10, N11};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, N0, N1, N2, N3);
-            store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
-            store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
+            store_allf(item2, step2, 12, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = N0;
-            PACKEDF(item2 + entries2[1], 0) = N1;
-            PACKEDF(item2 + entries2[2], 0) = N2;
-            PACKEDF(item2 + entries2[3], 0) = N3;
-            PACKEDF(item2 + entries2[4], 0) = N4;
-            PACKEDF(item2 + entries2[5], 0) = N5;
-            PACKEDF(item2 + entries2[6], 0) = N6;
-            PACKEDF(item2 + entries2[7], 0) = N7;
-            PACKEDF(item2 + entries2[8], 0) = N8;
-            PACKEDF(item2 + entries2[9], 0) = N9;
-            PACKEDF(item2 + entries2[10], 0) = N10;
-            PACKEDF(item2 + entries2[11], 0) = N11;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
+            PACKEDF(item2 + entries2[9], 0) = result2[9];
+            PACKEDF(item2 + entries2[10], 0) = result2[10];
+            PACKEDF(item2 + entries2[11], 0) = result2[11];
         } else {
-            const floats all[] = {N0, N1, N2, N3, N4, N5, N6, N7, N8, N9, N10, N11};
-            give_eachf(item2, entries2, step2, 12, all);
+            give_eachf(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -241,7 +237,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -250,7 +246,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -291,27 +287,25 @@ CHASLES_INLINE void chasles_linear_rate_matrix_block_items(
         const doubles L10 = -(e[1] * sin_phi);
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(double));
+        prefetch_to_write(item2, step2, 12, sizeof(double), copied.ahead);
+        const doubles result2[] = {L0, L1, L2, L3, L4, L5, L6, L7, L8, L9, L10, L11};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, L0, L1, L2, L3);
-            store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
-            store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
+            store_all(item2, step2, 12, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = L0;
-            PACKED(item2 + entries2[1], 0) = L1;
-            PACKED(item2 + entries2[2], 0) = L2;
-            PACKED(item2 + entries2[3], 0) = L3;
-            PACKED(item2 + entries2[4], 0) = L4;
-            PACKED(item2 + entries2[5], 0) = L5;
-            PACKED(item2 + entries2[6], 0) = L6;
-            PACKED(item2 + entries2[7], 0) = L7;
-            PACKED(item2 + entries2[8], 0) = L8;
-            PACKED(item2 + entries2[9], 0) = L9;
-            PACKED(item2 + entries2[10], 0) = L10;
-            PACKED(item2 + entries2[11], 0) = L11;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
+            PACKED(item2 + entries2[9], 0) = result2[9];
+            PACKED(item2 + entries2[10], 0) = result2[10];
+            PACKED(item2 + entries2[11], 0) = result2[11];
         } else {
-            const doubles all[] = {L0, L1, L2, L3, L4, L5, L6, L7, L8, L9, L10, L11};
-            give_each(item2, entries2, step2, 12, all);
+            give_each(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -343,7 +337,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -352,7 +346,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -393,27 +387,25 @@ CHASLES_INLINE void chasles_linear_rate_matrix_blockf_items(
         const floats L10 = -(e[1] * sin_phi);
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(float));
+        prefetch_to_write(item2, step2, 12, sizeof(float), copied.ahead);
+        const floats result2[] = {L0, L1, L2, L3, L4, L5, L6, L7, L8, L9, L10, L11};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, L0, L1, L2, L3);
-            store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
-            store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
+            store_allf(item2, step2, 12, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = L0;
-            PACKEDF(item2 + entries2[1], 0) = L1;
-            PACKEDF(item2 + entries2[2], 0) = L2;
-            PACKEDF(item2 + entries2[3], 0) = L3;
-            PACKEDF(item2 + entries2[4], 0) = L4;
-            PACKEDF(item2 + entries2[5], 0) = L5;
-            PACKEDF(item2 + entries2[6], 0) = L6;
-            PACKEDF(item2 + entries2[7], 0) = L7;
-            PACKEDF(item2 + entries2[8], 0) = L8;
-            PACKEDF(item2 + entries2[9], 0) = L9;
-            PACKEDF(item2 + entries2[10], 0) = L10;
-            PACKEDF(item2 + entries2[11], 0) = L11;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
+            PACKEDF(item2 + entries2[9], 0) = result2[9];
+            PACKEDF(item2 + entries2[10], 0) = result2[10];
+            PACKEDF(item2 + entries2[11], 0) = result2[11];
         } else {
-            const floats all[] = {L0, L1, L2, L3, L4, L5, L6, L7, L8, L9, L10, L11};
-            give_eachf(item2, entries2, step2, 12, all);
+            give_eachf(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -445,7 +437,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -454,7 +446,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -479,27 +471,25 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_block_items(
         const doubles H1 = e[2] * half_sin_half_phi;
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(double));
+        prefetch_to_write(item2, step2, 12, sizeof(double), copied.ahead);
+        const doubles result2[] = {H0, H1, H2, H3, H0, H5, H6, H7, H0, H7, H2, H3};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, H0, H1, H2, H3);
-            store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
-            store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
+            store_all(item2, step2, 12, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = H0;
-            PACKED(item2 + entries2[1], 0) = H1;
-            PACKED(item2 + entries2[2], 0) = H2;
-            PACKED(item2 + entries2[3], 0) = H3;
-            PACKED(item2 + entries2[4], 0) = H0;
-            PACKED(item2 + entries2[5], 0) = H5;
-            PACKED(item2 + entries2[6], 0) = H6;
-            PACKED(item2 + entries2[7], 0) = H7;
-            PACKED(item2 + entries2[8], 0) = H0;
-            PACKED(item2 + entries2[9], 0) = H7;
-            PACKED(item2 + entries2[10], 0) = H2;
-            PACKED(item2 + entries2[11], 0) = H3;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
+            PACKED(item2 + entries2[9], 0) = result2[9];
+            PACKED(item2 + entries2[10], 0) = result2[10];
+            PACKED(item2 + entries2[11], 0) = result2[11];
         } else {
-            const doubles all[] = {H0, H1, H2, H3, H0, H5, H6, H7, H0, H7, H2, H3};
-            give_each(item2, entries2, step2, 12, all);
+            give_each(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -538,7 +528,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -547,7 +537,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -572,27 +562,25 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_blockf_items(
         const floats H1 = e[2] * half_sin_half_phi;
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(float));
+        prefetch_to_write(item2, step2, 12, sizeof(float), copied.ahead);
+        const floats result2[] = {H0, H1, H2, H3, H0, H5, H6, H7, H0, H7, H2, H3};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, H0, H1, H2, H3);
-            store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
-            store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
+            store_allf(item2, step2, 12, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = H0;
-            PACKEDF(item2 + entries2[1], 0) = H1;
-            PACKEDF(item2 + entries2[2], 0) = H2;
-            PACKEDF(item2 + entries2[3], 0) = H3;
-            PACKEDF(item2 + entries2[4], 0) = H0;
-            PACKEDF(item2 + entries2[5], 0) = H5;
-            PACKEDF(item2 + entries2[6], 0) = H6;
-            PACKEDF(item2 + entries2[7], 0) = H7;
-            PACKEDF(item2 + entries2[8], 0) = H0;
-            PACKEDF(item2 + entries2[9], 0) = H7;
-            PACKEDF(item2 + entries2[10], 0) = H2;
-            PACKEDF(item2 + entries2[11], 0) = H3;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
+            PACKEDF(item2 + entries2[9], 0) = result2[9];
+            PACKEDF(item2 + entries2[10], 0) = result2[10];
+            PACKEDF(item2 + entries2[11], 0) = result2[11];
         } else {
-            const floats all[] = {H0, H1, H2, H3, H0, H5, H6, H7, H0, H7, H2, H3};
-            give_eachf(item2, entries2, step2, 12, all);
+            give_eachf(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -628,7 +616,7 @@ CHASLES_INLINE void chasles_rotation_from_linear_invariants_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &q[0]);
         } else if (step0 == sizeof(double)) {
@@ -644,7 +632,7 @@ CHASLES_INLINE void chasles_rotation_from_linear_invariants_block_items(
         }
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &q_0);
         const doubles t1 = 1.0 + q_0;
         const doubles t2 = choose(equal(t1, spread(0.0)), spread(0.0), spread(1.0)) / t1;
@@ -663,24 +651,22 @@ CHASLES_INLINE void chasles_rotation_from_linear_invariants_block_items(
         const doubles Q6 = t6 - q[1];
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
-            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-            store_1(item2 + 8 * sizeof(double), step2, Q8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = Q0;
-            PACKED(item2 + entries2[1], 0) = Q1;
-            PACKED(item2 + entries2[2], 0) = Q2;
-            PACKED(item2 + entries2[3], 0) = Q3;
-            PACKED(item2 + entries2[4], 0) = Q4;
-            PACKED(item2 + entries2[5], 0) = Q5;
-            PACKED(item2 + entries2[6], 0) = Q6;
-            PACKED(item2 + entries2[7], 0) = Q7;
-            PACKED(item2 + entries2[8], 0) = Q8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -716,7 +702,7 @@ CHASLES_INLINE void chasles_rotation_from_linear_invariants_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &q[0]);
         } else if (step0 == sizeof(float)) {
@@ -732,7 +718,7 @@ CHASLES_INLINE void chasles_rotation_from_linear_invariants_blockf_items(
         }
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &q_0);
         const floats t1 = 1.0f + q_0;
         const floats t2 = choosef(equalf(t1, spreadf(0.0f)), spreadf(0.0f), spreadf(1.0f)) / t1;
@@ -751,24 +737,22 @@ CHASLES_INLINE void chasles_rotation_from_linear_invariants_blockf_items(
         const floats Q6 = t6 - q[1];
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
-            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = Q0;
-            PACKEDF(item2 + entries2[1], 0) = Q1;
-            PACKEDF(item2 + entries2[2], 0) = Q2;
-            PACKEDF(item2 + entries2[3], 0) = Q3;
-            PACKEDF(item2 + entries2[4], 0) = Q4;
-            PACKEDF(item2 + entries2[5], 0) = Q5;
-            PACKEDF(item2 + entries2[6], 0) = Q6;
-            PACKEDF(item2 + entries2[7], 0) = Q7;
-            PACKEDF(item2 + entries2[8], 0) = Q8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -804,7 +788,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &q[0]);
         } else if (step0 == sizeof(double)) {
@@ -820,7 +804,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_block_items(
         }
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &q_0);
         const doubles t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const doubles t2 = 2.0 * q_0;
@@ -842,24 +826,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_block_items(
         const doubles Q6 = t6 - t9;
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
-            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-            store_1(item2 + 8 * sizeof(double), step2, Q8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = Q0;
-            PACKED(item2 + entries2[1], 0) = Q1;
-            PACKED(item2 + entries2[2], 0) = Q2;
-            PACKED(item2 + entries2[3], 0) = Q3;
-            PACKED(item2 + entries2[4], 0) = Q4;
-            PACKED(item2 + entries2[5], 0) = Q5;
-            PACKED(item2 + entries2[6], 0) = Q6;
-            PACKED(item2 + entries2[7], 0) = Q7;
-            PACKED(item2 + entries2[8], 0) = Q8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -895,7 +877,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &q[0]);
         } else if (step0 == sizeof(float)) {
@@ -911,7 +893,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_blockf_items(
         }
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &q_0);
         const floats t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const floats t2 = 2.0f * q_0;
@@ -933,24 +915,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_rodrigues_blockf_items(
         const floats Q6 = t6 - t9;
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
-            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = Q0;
-            PACKEDF(item2 + entries2[1], 0) = Q1;
-            PACKEDF(item2 + entries2[2], 0) = Q2;
-            PACKEDF(item2 + entries2[3], 0) = Q3;
-            PACKEDF(item2 + entries2[4], 0) = Q4;
-            PACKEDF(item2 + entries2[5], 0) = Q5;
-            PACKEDF(item2 + entries2[6], 0) = Q6;
-            PACKEDF(item2 + entries2[7], 0) = Q7;
-            PACKEDF(item2 + entries2[8], 0) = Q8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -986,7 +966,7 @@ CHASLES_INLINE void chasles_linear_invariants_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
             load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
@@ -1019,19 +999,19 @@ CHASLES_INLINE void chasles_linear_invariants_block_items(
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(double));
+        prefetch_to_write(item1, step1, 3, sizeof(double), copied.ahead);
+        const doubles result1[] = {q0, q1, q2};
         if (dense1) {
-            store_3(item1 + 0 * sizeof(double), step1, q0, q1, q2);
+            store_all(item1, step1, 3, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = q0;
-            PACKED(item1 + entries1[1], 0) = q1;
-            PACKED(item1 + entries1[2], 0) = q2;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
         } else {
-            const doubles all[] = {q0, q1, q2};
-            give_each(item1, entries1, step1, 3, all);
+            give_each(item1, entries1, step1, 3, result1);
         }
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(double));
+        prefetch_to_write(item2, step2, 1, sizeof(double), copied.ahead);
         store_1(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1067,7 +1047,7 @@ CHASLES_INLINE void chasles_linear_invariants_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
@@ -1100,19 +1080,19 @@ CHASLES_INLINE void chasles_linear_invariants_blockf_items(
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(float));
+        prefetch_to_write(item1, step1, 3, sizeof(float), copied.ahead);
+        const floats result1[] = {q0, q1, q2};
         if (dense1) {
-            store_3f(item1 + 0 * sizeof(float), step1, q0, q1, q2);
+            store_allf(item1, step1, 3, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = q0;
-            PACKEDF(item1 + entries1[1], 0) = q1;
-            PACKEDF(item1 + entries1[2], 0) = q2;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
         } else {
-            const floats all[] = {q0, q1, q2};
-            give_eachf(item1, entries1, step1, 3, all);
+            give_eachf(item1, entries1, step1, 3, result1);
         }
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(float));
+        prefetch_to_write(item2, step2, 1, sizeof(float), copied.ahead);
         store_1f(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1148,7 +1128,7 @@ CHASLES_INLINE void chasles_natural_invariants_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
             load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
@@ -1249,19 +1229,19 @@ CHASLES_INLINE void chasles_natural_invariants_block_items(
         const doubles e2 = t51 * t68;
         const doubles phi_value = 2.0 * directions(t42 * (choose(t58, spread(0.0), t47) / t57), t60 * t68);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(double));
+        prefetch_to_write(item1, step1, 3, sizeof(double), copied.ahead);
+        const doubles result1[] = {e0, e1, e2};
         if (dense1) {
-            store_3(item1 + 0 * sizeof(double), step1, e0, e1, e2);
+            store_all(item1, step1, 3, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = e0;
-            PACKED(item1 + entries1[1], 0) = e1;
-            PACKED(item1 + entries1[2], 0) = e2;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
         } else {
-            const doubles all[] = {e0, e1, e2};
-            give_each(item1, entries1, step1, 3, all);
+            give_each(item1, entries1, step1, 3, result1);
         }
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(double));
+        prefetch_to_write(item2, step2, 1, sizeof(double), copied.ahead);
         store_1(item2, step2, phi_value);
         stream_lines(&copied);
     }
@@ -1290,7 +1270,7 @@ CHASLES_INLINE void chasles_natural_invariants_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
@@ -1392,19 +1372,19 @@ CHASLES_INLINE void chasles_natural_invariants_blockf_items(
         const floats t69 = directionsf(t42 * (choosef(t58, spreadf(0.0f), t47) / t57), t60 * t68);
         const floats phi_value = 2.0f * t69;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(float));
+        prefetch_to_write(item1, step1, 3, sizeof(float), copied.ahead);
+        const floats result1[] = {e0, e1, e2};
         if (dense1) {
-            store_3f(item1 + 0 * sizeof(float), step1, e0, e1, e2);
+            store_allf(item1, step1, 3, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = e0;
-            PACKEDF(item1 + entries1[1], 0) = e1;
-            PACKEDF(item1 + entries1[2], 0) = e2;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
         } else {
-            const floats all[] = {e0, e1, e2};
-            give_eachf(item1, entries1, step1, 3, all);
+            give_eachf(item1, entries1, step1, 3, result1);
         }
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(float));
+        prefetch_to_write(item2, step2, 1, sizeof(float), copied.ahead);
         store_1f(item2, step2, phi_value);
         stream_lines(&copied);
     }
@@ -1433,7 +1413,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_parameters_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
             load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
@@ -1522,19 +1502,19 @@ CHASLES_INLINE void chasles_euler_rodrigues_parameters_block_items(
         const doubles q2 = t44 * t56;
         const doubles q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(double));
+        prefetch_to_write(item1, step1, 3, sizeof(double), copied.ahead);
+        const doubles result1[] = {q0, q1, q2};
         if (dense1) {
-            store_3(item1 + 0 * sizeof(double), step1, q0, q1, q2);
+            store_all(item1, step1, 3, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = q0;
-            PACKED(item1 + entries1[1], 0) = q1;
-            PACKED(item1 + entries1[2], 0) = q2;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
         } else {
-            const doubles all[] = {q0, q1, q2};
-            give_each(item1, entries1, step1, 3, all);
+            give_each(item1, entries1, step1, 3, result1);
         }
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(double));
+        prefetch_to_write(item2, step2, 1, sizeof(double), copied.ahead);
         store_1(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1563,7 +1543,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_parameters_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
@@ -1652,19 +1632,19 @@ CHASLES_INLINE void chasles_euler_rodrigues_parameters_blockf_items(
         const floats q2 = t44 * t56;
         const floats q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 3, sizeof(float));
+        prefetch_to_write(item1, step1, 3, sizeof(float), copied.ahead);
+        const floats result1[] = {q0, q1, q2};
         if (dense1) {
-            store_3f(item1 + 0 * sizeof(float), step1, q0, q1, q2);
+            store_allf(item1, step1, 3, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = q0;
-            PACKEDF(item1 + entries1[1], 0) = q1;
-            PACKEDF(item1 + entries1[2], 0) = q2;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
         } else {
-            const floats all[] = {q0, q1, q2};
-            give_eachf(item1, entries1, step1, 3, all);
+            give_eachf(item1, entries1, step1, 3, result1);
         }
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(float));
+        prefetch_to_write(item2, step2, 1, sizeof(float), copied.ahead);
         store_1f(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1703,7 +1683,7 @@ CHASLES_INLINE void chasles_screw_of_motion_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
             load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
@@ -1733,7 +1713,7 @@ CHASLES_INLINE void chasles_screw_of_motion_block_items(
         }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a[0]);
         } else if (step1 == sizeof(double)) {
@@ -1749,7 +1729,7 @@ CHASLES_INLINE void chasles_screw_of_motion_block_items(
         }
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a_prime[0]);
         } else if (step2 == sizeof(double)) {
@@ -1855,26 +1835,25 @@ CHASLES_INLINE void chasles_screw_of_motion_block_items(
         const doubles d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const doubles phi_value = 2.0 * directions(t42 * t61, t79);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {axis0, axis1, axis2, axis3, axis4, axis5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
-            store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = axis0;
-            PACKED(item3 + entries3[1], 0) = axis1;
-            PACKED(item3 + entries3[2], 0) = axis2;
-            PACKED(item3 + entries3[3], 0) = axis3;
-            PACKED(item3 + entries3[4], 0) = axis4;
-            PACKED(item3 + entries3[5], 0) = axis5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 1, sizeof(double));
+        prefetch_to_write(item4, step4, 1, sizeof(double), copied.ahead);
         store_1(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, step5, 1, sizeof(double));
+        prefetch_to_write(item5, step5, 1, sizeof(double), copied.ahead);
         store_1(item5, step5, phi_value);
         stream_lines(&copied);
     }
@@ -1913,7 +1892,7 @@ CHASLES_INLINE void chasles_screw_of_motion_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
@@ -1943,7 +1922,7 @@ CHASLES_INLINE void chasles_screw_of_motion_blockf_items(
         }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
         } else if (step1 == sizeof(float)) {
@@ -1959,7 +1938,7 @@ CHASLES_INLINE void chasles_screw_of_motion_blockf_items(
         }
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a_prime[0]);
         } else if (step2 == sizeof(float)) {
@@ -2065,26 +2044,25 @@ CHASLES_INLINE void chasles_screw_of_motion_blockf_items(
         const floats d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const floats phi_value = 2.0f * directionsf(t42 * t61, t79);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {axis0, axis1, axis2, axis3, axis4, axis5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
-            store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = axis0;
-            PACKEDF(item3 + entries3[1], 0) = axis1;
-            PACKEDF(item3 + entries3[2], 0) = axis2;
-            PACKEDF(item3 + entries3[3], 0) = axis3;
-            PACKEDF(item3 + entries3[4], 0) = axis4;
-            PACKEDF(item3 + entries3[5], 0) = axis5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 1, sizeof(float));
+        prefetch_to_write(item4, step4, 1, sizeof(float), copied.ahead);
         store_1f(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, step5, 1, sizeof(float));
+        prefetch_to_write(item5, step5, 1, sizeof(float), copied.ahead);
         store_1f(item5, step5, phi_value);
         stream_lines(&copied);
     }
@@ -2121,7 +2099,7 @@ CHASLES_INLINE void chasles_instant_screw_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
         } else if (step0 == sizeof(double)) {
@@ -2137,7 +2115,7 @@ CHASLES_INLINE void chasles_instant_screw_block_items(
         }
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a_dot[0]);
         } else if (step1 == sizeof(double)) {
@@ -2153,7 +2131,7 @@ CHASLES_INLINE void chasles_instant_screw_block_items(
         }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a[0]);
         } else if (step2 == sizeof(double)) {
@@ -2193,23 +2171,22 @@ CHASLES_INLINE void chasles_instant_screw_block_items(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {axis0, axis1, axis2, axis3, axis4, axis5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
-            store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = axis0;
-            PACKED(item3 + entries3[1], 0) = axis1;
-            PACKED(item3 + entries3[2], 0) = axis2;
-            PACKED(item3 + entries3[3], 0) = axis3;
-            PACKED(item3 + entries3[4], 0) = axis4;
-            PACKED(item3 + entries3[5], 0) = axis5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 1, sizeof(double));
+        prefetch_to_write(item4, step4, 1, sizeof(double), copied.ahead);
         store_1(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -2246,7 +2223,7 @@ CHASLES_INLINE void chasles_instant_screw_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
         } else if (step0 == sizeof(float)) {
@@ -2262,7 +2239,7 @@ CHASLES_INLINE void chasles_instant_screw_blockf_items(
         }
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a_dot[0]);
         } else if (step1 == sizeof(float)) {
@@ -2278,7 +2255,7 @@ CHASLES_INLINE void chasles_instant_screw_blockf_items(
         }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
         } else if (step2 == sizeof(float)) {
@@ -2318,23 +2295,22 @@ CHASLES_INLINE void chasles_instant_screw_blockf_items(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {axis0, axis1, axis2, axis3, axis4, axis5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
-            store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = axis0;
-            PACKEDF(item3 + entries3[1], 0) = axis1;
-            PACKEDF(item3 + entries3[2], 0) = axis2;
-            PACKEDF(item3 + entries3[3], 0) = axis3;
-            PACKEDF(item3 + entries3[4], 0) = axis4;
-            PACKEDF(item3 + entries3[5], 0) = axis5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 1, sizeof(float));
+        prefetch_to_write(item4, step4, 1, sizeof(float), copied.ahead);
         store_1f(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -2366,7 +2342,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -2375,7 +2351,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -2403,26 +2379,8 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_block_items(
         const doubles N_tilde6 = -N_tilde9;
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(double));
-        if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
-            store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
-            store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
-        } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = N_tilde0;
-            PACKED(item2 + entries2[1], 0) = N_tilde1;
-            PACKED(item2 + entries2[2], 0) = N_tilde2;
-            PACKED(item2 + entries2[3], 0) = N_tilde3;
-            PACKED(item2 + entries2[4], 0) = N_tilde4;
-            PACKED(item2 + entries2[5], 0) = N_tilde0;
-            PACKED(item2 + entries2[6], 0) = N_tilde6;
-            PACKED(item2 + entries2[7], 0) = N_tilde7;
-            PACKED(item2 + entries2[8], 0) = N_tilde8;
-            PACKED(item2 + entries2[9], 0) = N_tilde9;
-            PACKED(item2 + entries2[10], 0) = N_tilde0;
-            PACKED(item2 + entries2[11], 0) = N_tilde11;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item2, step2, 12, sizeof(double), copied.ahead);
+        const doubles result2[] = {
             N_tilde0,
             N_tilde1,
             N_tilde2,
@@ -2435,7 +2393,23 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_block_items(
             N_tilde9,
             N_tilde0,
             N_tilde11};
-            give_each(item2, entries2, step2, 12, all);
+        if (dense2) {
+            store_all(item2, step2, 12, result2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
+            PACKED(item2 + entries2[9], 0) = result2[9];
+            PACKED(item2 + entries2[10], 0) = result2[10];
+            PACKED(item2 + entries2[11], 0) = result2[11];
+        } else {
+            give_each(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -2474,7 +2448,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -2483,7 +2457,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2511,26 +2485,8 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_blockf_items(
         const floats N_tilde6 = -N_tilde9;
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(float));
-        if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
-            store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
-            store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
-        } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = N_tilde0;
-            PACKEDF(item2 + entries2[1], 0) = N_tilde1;
-            PACKEDF(item2 + entries2[2], 0) = N_tilde2;
-            PACKEDF(item2 + entries2[3], 0) = N_tilde3;
-            PACKEDF(item2 + entries2[4], 0) = N_tilde4;
-            PACKEDF(item2 + entries2[5], 0) = N_tilde0;
-            PACKEDF(item2 + entries2[6], 0) = N_tilde6;
-            PACKEDF(item2 + entries2[7], 0) = N_tilde7;
-            PACKEDF(item2 + entries2[8], 0) = N_tilde8;
-            PACKEDF(item2 + entries2[9], 0) = N_tilde9;
-            PACKEDF(item2 + entries2[10], 0) = N_tilde0;
-            PACKEDF(item2 + entries2[11], 0) = N_tilde11;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item2, step2, 12, sizeof(float), copied.ahead);
+        const floats result2[] = {
             N_tilde0,
             N_tilde1,
             N_tilde2,
@@ -2543,7 +2499,23 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_blockf_items(
             N_tilde9,
             N_tilde0,
             N_tilde11};
-            give_eachf(item2, entries2, step2, 12, all);
+        if (dense2) {
+            store_allf(item2, step2, 12, result2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
+            PACKEDF(item2 + entries2[9], 0) = result2[9];
+            PACKEDF(item2 + entries2[10], 0) = result2[10];
+            PACKEDF(item2 + entries2[11], 0) = result2[11];
+        } else {
+            give_eachf(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -2582,7 +2554,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -2591,7 +2563,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -2616,26 +2588,8 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_block_items(
         const doubles L_tilde3 = -L_tilde9;
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(double));
-        if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
-            store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
-            store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
-        } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = spread(1.0);
-            PACKED(item2 + entries2[1], 0) = L_tilde1;
-            PACKED(item2 + entries2[2], 0) = L_tilde2;
-            PACKED(item2 + entries2[3], 0) = L_tilde3;
-            PACKED(item2 + entries2[4], 0) = L_tilde4;
-            PACKED(item2 + entries2[5], 0) = spread(1.0);
-            PACKED(item2 + entries2[6], 0) = L_tilde3;
-            PACKED(item2 + entries2[7], 0) = L_tilde7;
-            PACKED(item2 + entries2[8], 0) = L_tilde7;
-            PACKED(item2 + entries2[9], 0) = L_tilde9;
-            PACKED(item2 + entries2[10], 0) = spread(1.0);
-            PACKED(item2 + entries2[11], 0) = L_tilde1;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item2, step2, 12, sizeof(double), copied.ahead);
+        const doubles result2[] = {
             spread(1.0),
             L_tilde1,
             L_tilde2,
@@ -2648,7 +2602,23 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_block_items(
             L_tilde9,
             spread(1.0),
             L_tilde1};
-            give_each(item2, entries2, step2, 12, all);
+        if (dense2) {
+            store_all(item2, step2, 12, result2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
+            PACKED(item2 + entries2[9], 0) = result2[9];
+            PACKED(item2 + entries2[10], 0) = result2[10];
+            PACKED(item2 + entries2[11], 0) = result2[11];
+        } else {
+            give_each(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -2687,7 +2657,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2696,7 +2666,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2721,26 +2691,8 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_blockf_items(
         const floats L_tilde3 = -L_tilde9;
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(float));
-        if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
-            store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
-            store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
-        } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = spreadf(1.0f);
-            PACKEDF(item2 + entries2[1], 0) = L_tilde1;
-            PACKEDF(item2 + entries2[2], 0) = L_tilde2;
-            PACKEDF(item2 + entries2[3], 0) = L_tilde3;
-            PACKEDF(item2 + entries2[4], 0) = L_tilde4;
-            PACKEDF(item2 + entries2[5], 0) = spreadf(1.0f);
-            PACKEDF(item2 + entries2[6], 0) = L_tilde3;
-            PACKEDF(item2 + entries2[7], 0) = L_tilde7;
-            PACKEDF(item2 + entries2[8], 0) = L_tilde7;
-            PACKEDF(item2 + entries2[9], 0) = L_tilde9;
-            PACKEDF(item2 + entries2[10], 0) = spreadf(1.0f);
-            PACKEDF(item2 + entries2[11], 0) = L_tilde1;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item2, step2, 12, sizeof(float), copied.ahead);
+        const floats result2[] = {
             spreadf(1.0f),
             L_tilde1,
             L_tilde2,
@@ -2753,7 +2705,23 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_blockf_items(
             L_tilde9,
             spreadf(1.0f),
             L_tilde1};
-            give_eachf(item2, entries2, step2, 12, all);
+        if (dense2) {
+            store_allf(item2, step2, 12, result2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
+            PACKEDF(item2 + entries2[9], 0) = result2[9];
+            PACKEDF(item2 + entries2[10], 0) = result2[10];
+            PACKEDF(item2 + entries2[11], 0) = result2[11];
+        } else {
+            give_eachf(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -2792,7 +2760,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -2801,7 +2769,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -2826,26 +2794,8 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_block_items(
         const doubles H_tilde3 = -H_tilde9;
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(double));
-        if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
-            store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
-            store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
-        } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = H_tilde0;
-            PACKED(item2 + entries2[1], 0) = H_tilde1;
-            PACKED(item2 + entries2[2], 0) = H_tilde2;
-            PACKED(item2 + entries2[3], 0) = H_tilde3;
-            PACKED(item2 + entries2[4], 0) = H_tilde4;
-            PACKED(item2 + entries2[5], 0) = H_tilde0;
-            PACKED(item2 + entries2[6], 0) = H_tilde3;
-            PACKED(item2 + entries2[7], 0) = H_tilde7;
-            PACKED(item2 + entries2[8], 0) = H_tilde7;
-            PACKED(item2 + entries2[9], 0) = H_tilde9;
-            PACKED(item2 + entries2[10], 0) = H_tilde0;
-            PACKED(item2 + entries2[11], 0) = H_tilde1;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item2, step2, 12, sizeof(double), copied.ahead);
+        const doubles result2[] = {
             H_tilde0,
             H_tilde1,
             H_tilde2,
@@ -2858,7 +2808,23 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_block_items(
             H_tilde9,
             H_tilde0,
             H_tilde1};
-            give_each(item2, entries2, step2, 12, all);
+        if (dense2) {
+            store_all(item2, step2, 12, result2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
+            PACKED(item2 + entries2[9], 0) = result2[9];
+            PACKED(item2 + entries2[10], 0) = result2[10];
+            PACKED(item2 + entries2[11], 0) = result2[11];
+        } else {
+            give_each(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -2897,7 +2863,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2906,7 +2872,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2931,26 +2897,8 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_blockf_items(
         const floats H_tilde3 = -H_tilde9;
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 12, sizeof(float));
-        if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
-            store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
-            store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
-        } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = H_tilde0;
-            PACKEDF(item2 + entries2[1], 0) = H_tilde1;
-            PACKEDF(item2 + entries2[2], 0) = H_tilde2;
-            PACKEDF(item2 + entries2[3], 0) = H_tilde3;
-            PACKEDF(item2 + entries2[4], 0) = H_tilde4;
-            PACKEDF(item2 + entries2[5], 0) = H_tilde0;
-            PACKEDF(item2 + entries2[6], 0) = H_tilde3;
-            PACKEDF(item2 + entries2[7], 0) = H_tilde7;
-            PACKEDF(item2 + entries2[8], 0) = H_tilde7;
-            PACKEDF(item2 + entries2[9], 0) = H_tilde9;
-            PACKEDF(item2 + entries2[10], 0) = H_tilde0;
-            PACKEDF(item2 + entries2[11], 0) = H_tilde1;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item2, step2, 12, sizeof(float), copied.ahead);
+        const floats result2[] = {
             H_tilde0,
             H_tilde1,
             H_tilde2,
@@ -2963,7 +2911,23 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_blockf_items(
             H_tilde9,
             H_tilde0,
             H_tilde1};
-            give_eachf(item2, entries2, step2, 12, all);
+        if (dense2) {
+            store_allf(item2, step2, 12, result2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
+            PACKEDF(item2 + entries2[9], 0) = result2[9];
+            PACKEDF(item2 + entries2[10], 0) = result2[10];
+            PACKEDF(item2 + entries2[11], 0) = result2[11];
+        } else {
+            give_eachf(item2, entries2, step2, 12, result2);
         }
         stream_lines(&copied);
     }
@@ -3006,7 +2970,7 @@ CHASLES_INLINE void chasles_pose_rate_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -3015,7 +2979,7 @@ CHASLES_INLINE void chasles_pose_rate_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3031,7 +2995,7 @@ CHASLES_INLINE void chasles_pose_rate_natural_block_items(
         }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -3064,21 +3028,20 @@ CHASLES_INLINE void chasles_pose_rate_natural_block_items(
         const doubles s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 7, sizeof(double));
+        prefetch_to_write(item3, step3, 7, sizeof(double), copied.ahead);
+        const doubles result3[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
-            store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+            store_all(item3, step3, 7, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = s_dot0;
-            PACKED(item3 + entries3[1], 0) = s_dot1;
-            PACKED(item3 + entries3[2], 0) = s_dot2;
-            PACKED(item3 + entries3[3], 0) = s_dot3;
-            PACKED(item3 + entries3[4], 0) = s_dot4;
-            PACKED(item3 + entries3[5], 0) = s_dot5;
-            PACKED(item3 + entries3[6], 0) = s_dot6;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
         } else {
-            const doubles all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
-            give_each(item3, entries3, step3, 7, all);
+            give_each(item3, entries3, step3, 7, result3);
         }
         stream_lines(&copied);
     }
@@ -3114,7 +3077,7 @@ CHASLES_INLINE void chasles_pose_rate_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -3123,7 +3086,7 @@ CHASLES_INLINE void chasles_pose_rate_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3139,7 +3102,7 @@ CHASLES_INLINE void chasles_pose_rate_natural_blockf_items(
         }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -3172,21 +3135,20 @@ CHASLES_INLINE void chasles_pose_rate_natural_blockf_items(
         const floats s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 7, sizeof(float));
+        prefetch_to_write(item3, step3, 7, sizeof(float), copied.ahead);
+        const floats result3[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
-            store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+            store_allf(item3, step3, 7, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = s_dot0;
-            PACKEDF(item3 + entries3[1], 0) = s_dot1;
-            PACKEDF(item3 + entries3[2], 0) = s_dot2;
-            PACKEDF(item3 + entries3[3], 0) = s_dot3;
-            PACKEDF(item3 + entries3[4], 0) = s_dot4;
-            PACKEDF(item3 + entries3[5], 0) = s_dot5;
-            PACKEDF(item3 + entries3[6], 0) = s_dot6;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
         } else {
-            const floats all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
-            give_eachf(item3, entries3, step3, 7, all);
+            give_eachf(item3, entries3, step3, 7, result3);
         }
         stream_lines(&copied);
     }
@@ -3222,7 +3184,7 @@ CHASLES_INLINE void chasles_pose_rate_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -3231,7 +3193,7 @@ CHASLES_INLINE void chasles_pose_rate_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3247,7 +3209,7 @@ CHASLES_INLINE void chasles_pose_rate_linear_block_items(
         }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -3283,21 +3245,20 @@ CHASLES_INLINE void chasles_pose_rate_linear_block_items(
         const doubles t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 7, sizeof(double));
+        prefetch_to_write(item3, step3, 7, sizeof(double), copied.ahead);
+        const doubles result3[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
-            store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+            store_all(item3, step3, 7, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = s_dot0;
-            PACKED(item3 + entries3[1], 0) = s_dot1;
-            PACKED(item3 + entries3[2], 0) = s_dot2;
-            PACKED(item3 + entries3[3], 0) = s_dot3;
-            PACKED(item3 + entries3[4], 0) = s_dot4;
-            PACKED(item3 + entries3[5], 0) = s_dot5;
-            PACKED(item3 + entries3[6], 0) = s_dot6;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
         } else {
-            const doubles all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
-            give_each(item3, entries3, step3, 7, all);
+            give_each(item3, entries3, step3, 7, result3);
         }
         stream_lines(&copied);
     }
@@ -3333,7 +3294,7 @@ CHASLES_INLINE void chasles_pose_rate_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -3342,7 +3303,7 @@ CHASLES_INLINE void chasles_pose_rate_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3358,7 +3319,7 @@ CHASLES_INLINE void chasles_pose_rate_linear_blockf_items(
         }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -3394,21 +3355,20 @@ CHASLES_INLINE void chasles_pose_rate_linear_blockf_items(
         const floats t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 7, sizeof(float));
+        prefetch_to_write(item3, step3, 7, sizeof(float), copied.ahead);
+        const floats result3[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
-            store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+            store_allf(item3, step3, 7, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = s_dot0;
-            PACKEDF(item3 + entries3[1], 0) = s_dot1;
-            PACKEDF(item3 + entries3[2], 0) = s_dot2;
-            PACKEDF(item3 + entries3[3], 0) = s_dot3;
-            PACKEDF(item3 + entries3[4], 0) = s_dot4;
-            PACKEDF(item3 + entries3[5], 0) = s_dot5;
-            PACKEDF(item3 + entries3[6], 0) = s_dot6;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
         } else {
-            const floats all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
-            give_eachf(item3, entries3, step3, 7, all);
+            give_eachf(item3, entries3, step3, 7, result3);
         }
         stream_lines(&copied);
     }
@@ -3444,7 +3404,7 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -3453,7 +3413,7 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3469,7 +3429,7 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_block_items(
         }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -3505,21 +3465,20 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_block_items(
         const doubles s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 7, sizeof(double));
+        prefetch_to_write(item3, step3, 7, sizeof(double), copied.ahead);
+        const doubles result3[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
-            store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+            store_all(item3, step3, 7, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = s_dot0;
-            PACKED(item3 + entries3[1], 0) = s_dot1;
-            PACKED(item3 + entries3[2], 0) = s_dot2;
-            PACKED(item3 + entries3[3], 0) = s_dot3;
-            PACKED(item3 + entries3[4], 0) = s_dot4;
-            PACKED(item3 + entries3[5], 0) = s_dot5;
-            PACKED(item3 + entries3[6], 0) = s_dot6;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
         } else {
-            const doubles all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
-            give_each(item3, entries3, step3, 7, all);
+            give_each(item3, entries3, step3, 7, result3);
         }
         stream_lines(&copied);
     }
@@ -3563,7 +3522,7 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -3572,7 +3531,7 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3588,7 +3547,7 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_blockf_items(
         }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -3624,21 +3583,20 @@ CHASLES_INLINE void chasles_pose_rate_euler_rodrigues_blockf_items(
         const floats s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 7, sizeof(float));
+        prefetch_to_write(item3, step3, 7, sizeof(float), copied.ahead);
+        const floats result3[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
-            store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+            store_allf(item3, step3, 7, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = s_dot0;
-            PACKEDF(item3 + entries3[1], 0) = s_dot1;
-            PACKEDF(item3 + entries3[2], 0) = s_dot2;
-            PACKEDF(item3 + entries3[3], 0) = s_dot3;
-            PACKEDF(item3 + entries3[4], 0) = s_dot4;
-            PACKEDF(item3 + entries3[5], 0) = s_dot5;
-            PACKEDF(item3 + entries3[6], 0) = s_dot6;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
         } else {
-            const floats all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
-            give_eachf(item3, entries3, step3, 7, all);
+            give_eachf(item3, entries3, step3, 7, result3);
         }
         stream_lines(&copied);
     }
@@ -3682,7 +3640,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -3691,7 +3649,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3707,7 +3665,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_block_items(
         }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
             load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
@@ -3743,20 +3701,19 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_block_items(
         const doubles t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {t0, t1, t2, t3, t4, t5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
-            store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = t0;
-            PACKED(item3 + entries3[1], 0) = t1;
-            PACKED(item3 + entries3[2], 0) = t2;
-            PACKED(item3 + entries3[3], 0) = t3;
-            PACKED(item3 + entries3[4], 0) = t4;
-            PACKED(item3 + entries3[5], 0) = t5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {t0, t1, t2, t3, t4, t5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -3800,7 +3757,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -3809,7 +3766,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3825,7 +3782,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_blockf_items(
         }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
             load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
@@ -3861,20 +3818,19 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_natural_blockf_items(
         const floats t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {t0, t1, t2, t3, t4, t5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
-            store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = t0;
-            PACKEDF(item3 + entries3[1], 0) = t1;
-            PACKEDF(item3 + entries3[2], 0) = t2;
-            PACKEDF(item3 + entries3[3], 0) = t3;
-            PACKEDF(item3 + entries3[4], 0) = t4;
-            PACKEDF(item3 + entries3[5], 0) = t5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {t0, t1, t2, t3, t4, t5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -3918,7 +3874,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -3927,7 +3883,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3943,7 +3899,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_block_items(
         }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
             load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
@@ -3980,20 +3936,19 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_block_items(
         const doubles t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {t0, t1, t2, t3, t4, t5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
-            store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = t0;
-            PACKED(item3 + entries3[1], 0) = t1;
-            PACKED(item3 + entries3[2], 0) = t2;
-            PACKED(item3 + entries3[3], 0) = t3;
-            PACKED(item3 + entries3[4], 0) = t4;
-            PACKED(item3 + entries3[5], 0) = t5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {t0, t1, t2, t3, t4, t5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -4029,7 +3984,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -4038,7 +3993,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -4054,7 +4009,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_blockf_items(
         }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
             load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
@@ -4091,20 +4046,19 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_linear_blockf_items(
         const floats t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {t0, t1, t2, t3, t4, t5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
-            store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = t0;
-            PACKEDF(item3 + entries3[1], 0) = t1;
-            PACKEDF(item3 + entries3[2], 0) = t2;
-            PACKEDF(item3 + entries3[3], 0) = t3;
-            PACKEDF(item3 + entries3[4], 0) = t4;
-            PACKEDF(item3 + entries3[5], 0) = t5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {t0, t1, t2, t3, t4, t5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -4140,7 +4094,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -4149,7 +4103,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -4165,7 +4119,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_block_items(
         }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
             load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
@@ -4202,20 +4156,19 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_block_items(
         const doubles t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {t0, t1, t2, t3, t4, t5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
-            store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = t0;
-            PACKED(item3 + entries3[1], 0) = t1;
-            PACKED(item3 + entries3[2], 0) = t2;
-            PACKED(item3 + entries3[3], 0) = t3;
-            PACKED(item3 + entries3[4], 0) = t4;
-            PACKED(item3 + entries3[5], 0) = t5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {t0, t1, t2, t3, t4, t5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -4251,7 +4204,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -4260,7 +4213,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -4276,7 +4229,7 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_blockf_items(
         }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
             load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
@@ -4313,20 +4266,19 @@ CHASLES_INLINE void chasles_twist_from_pose_rate_euler_rodrigues_blockf_items(
         const floats t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {t0, t1, t2, t3, t4, t5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
-            store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = t0;
-            PACKEDF(item3 + entries3[1], 0) = t1;
-            PACKEDF(item3 + entries3[2], 0) = t2;
-            PACKEDF(item3 + entries3[3], 0) = t3;
-            PACKEDF(item3 + entries3[4], 0) = t4;
-            PACKEDF(item3 + entries3[5], 0) = t5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {t0, t1, t2, t3, t4, t5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -4361,7 +4313,7 @@ CHASLES_INLINE void chasles_twist_transfer_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &t_A[0]);
             load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
@@ -4384,7 +4336,7 @@ CHASLES_INLINE void chasles_twist_transfer_block_items(
         }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a[0]);
         } else if (step1 == sizeof(double)) {
@@ -4400,7 +4352,7 @@ CHASLES_INLINE void chasles_twist_transfer_block_items(
         }
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &p[0]);
         } else if (step2 == sizeof(double)) {
@@ -4424,20 +4376,19 @@ CHASLES_INLINE void chasles_twist_transfer_block_items(
         const doubles t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {t_P0, t_P1, t_P2, t_P3, t_P4, t_P5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, t_P0, t_P1, t_P2, t_P3);
-            store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = t_P0;
-            PACKED(item3 + entries3[1], 0) = t_P1;
-            PACKED(item3 + entries3[2], 0) = t_P2;
-            PACKED(item3 + entries3[3], 0) = t_P3;
-            PACKED(item3 + entries3[4], 0) = t_P4;
-            PACKED(item3 + entries3[5], 0) = t_P5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {t_P0, t_P1, t_P2, t_P3, t_P4, t_P5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -4480,7 +4431,7 @@ CHASLES_INLINE void chasles_twist_transfer_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &t_A[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
@@ -4503,7 +4454,7 @@ CHASLES_INLINE void chasles_twist_transfer_blockf_items(
         }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
         } else if (step1 == sizeof(float)) {
@@ -4519,7 +4470,7 @@ CHASLES_INLINE void chasles_twist_transfer_blockf_items(
         }
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &p[0]);
         } else if (step2 == sizeof(float)) {
@@ -4543,20 +4494,19 @@ CHASLES_INLINE void chasles_twist_transfer_blockf_items(
         const floats t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {t_P0, t_P1, t_P2, t_P3, t_P4, t_P5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, t_P0, t_P1, t_P2, t_P3);
-            store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = t_P0;
-            PACKEDF(item3 + entries3[1], 0) = t_P1;
-            PACKEDF(item3 + entries3[2], 0) = t_P2;
-            PACKEDF(item3 + entries3[3], 0) = t_P3;
-            PACKEDF(item3 + entries3[4], 0) = t_P4;
-            PACKEDF(item3 + entries3[5], 0) = t_P5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {t_P0, t_P1, t_P2, t_P3, t_P4, t_P5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }

@@ -42,7 +42,7 @@ CHASLES_INLINE void chasles_velocity_of_point_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
         } else if (step0 == sizeof(double)) {
@@ -58,7 +58,7 @@ CHASLES_INLINE void chasles_velocity_of_point_block_items(
         }
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a_dot[0]);
         } else if (step1 == sizeof(double)) {
@@ -74,7 +74,7 @@ CHASLES_INLINE void chasles_velocity_of_point_block_items(
         }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a[0]);
         } else if (step2 == sizeof(double)) {
@@ -90,7 +90,7 @@ CHASLES_INLINE void chasles_velocity_of_point_block_items(
         }
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &p[0]);
         } else if (step3 == sizeof(double)) {
@@ -111,16 +111,16 @@ CHASLES_INLINE void chasles_velocity_of_point_block_items(
         const doubles p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const doubles p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 3, sizeof(double));
+        prefetch_to_write(item4, step4, 3, sizeof(double), copied.ahead);
+        const doubles result4[] = {p_dot0, p_dot1, p_dot2};
         if (dense4) {
-            store_3(item4 + 0 * sizeof(double), step4, p_dot0, p_dot1, p_dot2);
+            store_all(item4, step4, 3, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = p_dot0;
-            PACKED(item4 + entries4[1], 0) = p_dot1;
-            PACKED(item4 + entries4[2], 0) = p_dot2;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
         } else {
-            const doubles all[] = {p_dot0, p_dot1, p_dot2};
-            give_each(item4, entries4, step4, 3, all);
+            give_each(item4, entries4, step4, 3, result4);
         }
         stream_lines(&copied);
     }
@@ -168,7 +168,7 @@ CHASLES_INLINE void chasles_velocity_of_point_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
         } else if (step0 == sizeof(float)) {
@@ -184,7 +184,7 @@ CHASLES_INLINE void chasles_velocity_of_point_blockf_items(
         }
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a_dot[0]);
         } else if (step1 == sizeof(float)) {
@@ -200,7 +200,7 @@ CHASLES_INLINE void chasles_velocity_of_point_blockf_items(
         }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
         } else if (step2 == sizeof(float)) {
@@ -216,7 +216,7 @@ CHASLES_INLINE void chasles_velocity_of_point_blockf_items(
         }
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &p[0]);
         } else if (step3 == sizeof(float)) {
@@ -237,16 +237,16 @@ CHASLES_INLINE void chasles_velocity_of_point_blockf_items(
         const floats p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const floats p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 3, sizeof(float));
+        prefetch_to_write(item4, step4, 3, sizeof(float), copied.ahead);
+        const floats result4[] = {p_dot0, p_dot1, p_dot2};
         if (dense4) {
-            store_3f(item4 + 0 * sizeof(float), step4, p_dot0, p_dot1, p_dot2);
+            store_allf(item4, step4, 3, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = p_dot0;
-            PACKEDF(item4 + entries4[1], 0) = p_dot1;
-            PACKEDF(item4 + entries4[2], 0) = p_dot2;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
         } else {
-            const floats all[] = {p_dot0, p_dot1, p_dot2};
-            give_eachf(item4, entries4, step4, 3, all);
+            give_eachf(item4, entries4, step4, 3, result4);
         }
         stream_lines(&copied);
     }

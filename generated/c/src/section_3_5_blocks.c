@@ -34,7 +34,7 @@ CHASLES_INLINE void chasles_angular_acceleration_matrix_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
         } else if (step0 == sizeof(double)) {
@@ -50,7 +50,7 @@ CHASLES_INLINE void chasles_angular_acceleration_matrix_block_items(
         }
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega_dot[0]);
         } else if (step1 == sizeof(double)) {
@@ -80,24 +80,22 @@ CHASLES_INLINE void chasles_angular_acceleration_matrix_block_items(
         const doubles W6 = t3 - omega_dot[1];
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(double));
+        prefetch_to_write(item2, step2, 9, sizeof(double), copied.ahead);
+        const doubles result2[] = {W0, W1, W2, W3, W4, W5, W6, W7, W8};
         if (dense2) {
-            store_4(item2 + 0 * sizeof(double), step2, W0, W1, W2, W3);
-            store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
-            store_1(item2 + 8 * sizeof(double), step2, W8);
+            store_all(item2, step2, 9, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = W0;
-            PACKED(item2 + entries2[1], 0) = W1;
-            PACKED(item2 + entries2[2], 0) = W2;
-            PACKED(item2 + entries2[3], 0) = W3;
-            PACKED(item2 + entries2[4], 0) = W4;
-            PACKED(item2 + entries2[5], 0) = W5;
-            PACKED(item2 + entries2[6], 0) = W6;
-            PACKED(item2 + entries2[7], 0) = W7;
-            PACKED(item2 + entries2[8], 0) = W8;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
+            PACKED(item2 + entries2[3], 0) = result2[3];
+            PACKED(item2 + entries2[4], 0) = result2[4];
+            PACKED(item2 + entries2[5], 0) = result2[5];
+            PACKED(item2 + entries2[6], 0) = result2[6];
+            PACKED(item2 + entries2[7], 0) = result2[7];
+            PACKED(item2 + entries2[8], 0) = result2[8];
         } else {
-            const doubles all[] = {W0, W1, W2, W3, W4, W5, W6, W7, W8};
-            give_each(item2, entries2, step2, 9, all);
+            give_each(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -135,7 +133,7 @@ CHASLES_INLINE void chasles_angular_acceleration_matrix_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
         } else if (step0 == sizeof(float)) {
@@ -151,7 +149,7 @@ CHASLES_INLINE void chasles_angular_acceleration_matrix_blockf_items(
         }
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega_dot[0]);
         } else if (step1 == sizeof(float)) {
@@ -181,24 +179,22 @@ CHASLES_INLINE void chasles_angular_acceleration_matrix_blockf_items(
         const floats W6 = t3 - omega_dot[1];
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 9, sizeof(float));
+        prefetch_to_write(item2, step2, 9, sizeof(float), copied.ahead);
+        const floats result2[] = {W0, W1, W2, W3, W4, W5, W6, W7, W8};
         if (dense2) {
-            store_4f(item2 + 0 * sizeof(float), step2, W0, W1, W2, W3);
-            store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
-            store_1f(item2 + 8 * sizeof(float), step2, W8);
+            store_allf(item2, step2, 9, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = W0;
-            PACKEDF(item2 + entries2[1], 0) = W1;
-            PACKEDF(item2 + entries2[2], 0) = W2;
-            PACKEDF(item2 + entries2[3], 0) = W3;
-            PACKEDF(item2 + entries2[4], 0) = W4;
-            PACKEDF(item2 + entries2[5], 0) = W5;
-            PACKEDF(item2 + entries2[6], 0) = W6;
-            PACKEDF(item2 + entries2[7], 0) = W7;
-            PACKEDF(item2 + entries2[8], 0) = W8;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
+            PACKEDF(item2 + entries2[3], 0) = result2[3];
+            PACKEDF(item2 + entries2[4], 0) = result2[4];
+            PACKEDF(item2 + entries2[5], 0) = result2[5];
+            PACKEDF(item2 + entries2[6], 0) = result2[6];
+            PACKEDF(item2 + entries2[7], 0) = result2[7];
+            PACKEDF(item2 + entries2[8], 0) = result2[8];
         } else {
-            const floats all[] = {W0, W1, W2, W3, W4, W5, W6, W7, W8};
-            give_eachf(item2, entries2, step2, 9, all);
+            give_eachf(item2, entries2, step2, 9, result2);
         }
         stream_lines(&copied);
     }
@@ -248,7 +244,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
         } else if (step0 == sizeof(double)) {
@@ -264,7 +260,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_block_items(
         }
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega_dot[0]);
         } else if (step1 == sizeof(double)) {
@@ -280,7 +276,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_block_items(
         }
         doubles a_ddot[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a_ddot[0]);
         } else if (step2 == sizeof(double)) {
@@ -296,7 +292,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_block_items(
         }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &a[0]);
         } else if (step3 == sizeof(double)) {
@@ -312,7 +308,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_block_items(
         }
         doubles p[3];
         const char *const item4 = at4 + g * LANES * step4;
-        prefetch(item4, 3);
+        prefetch(item4, 3, copied.ahead);
         if (dense4) {
             load_3(item4 + 0 * sizeof(double), step4, &p[0]);
         } else if (step4 == sizeof(double)) {
@@ -339,16 +335,16 @@ CHASLES_INLINE void chasles_acceleration_of_point_block_items(
         const doubles t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, step5, 3, sizeof(double));
+        prefetch_to_write(item5, step5, 3, sizeof(double), copied.ahead);
+        const doubles result5[] = {p_ddot0, p_ddot1, p_ddot2};
         if (dense5) {
-            store_3(item5 + 0 * sizeof(double), step5, p_ddot0, p_ddot1, p_ddot2);
+            store_all(item5, step5, 3, result5);
         } else if (step5 == sizeof(double)) {
-            PACKED(item5 + entries5[0], 0) = p_ddot0;
-            PACKED(item5 + entries5[1], 0) = p_ddot1;
-            PACKED(item5 + entries5[2], 0) = p_ddot2;
+            PACKED(item5 + entries5[0], 0) = result5[0];
+            PACKED(item5 + entries5[1], 0) = result5[1];
+            PACKED(item5 + entries5[2], 0) = result5[2];
         } else {
-            const doubles all[] = {p_ddot0, p_ddot1, p_ddot2};
-            give_each(item5, entries5, step5, 3, all);
+            give_each(item5, entries5, step5, 3, result5);
         }
         stream_lines(&copied);
     }
@@ -401,7 +397,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
         } else if (step0 == sizeof(float)) {
@@ -417,7 +413,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
         }
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega_dot[0]);
         } else if (step1 == sizeof(float)) {
@@ -433,7 +429,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
         }
         floats a_ddot[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a_ddot[0]);
         } else if (step2 == sizeof(float)) {
@@ -449,7 +445,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
         }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
         } else if (step3 == sizeof(float)) {
@@ -465,7 +461,7 @@ CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
         }
         floats p[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        prefetch(item4, 3);
+        prefetch(item4, 3, copied.ahead);
         if (dense4) {
             load_3f(item4 + 0 * sizeof(float), step4, &p[0]);
         } else if (step4 == sizeof(float)) {
@@ -492,16 +488,16 @@ CHASLES_INLINE void chasles_acceleration_of_point_blockf_items(
         const floats t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, step5, 3, sizeof(float));
+        prefetch_to_write(item5, step5, 3, sizeof(float), copied.ahead);
+        const floats result5[] = {p_ddot0, p_ddot1, p_ddot2};
         if (dense5) {
-            store_3f(item5 + 0 * sizeof(float), step5, p_ddot0, p_ddot1, p_ddot2);
+            store_allf(item5, step5, 3, result5);
         } else if (step5 == sizeof(float)) {
-            PACKEDF(item5 + entries5[0], 0) = p_ddot0;
-            PACKEDF(item5 + entries5[1], 0) = p_ddot1;
-            PACKEDF(item5 + entries5[2], 0) = p_ddot2;
+            PACKEDF(item5 + entries5[0], 0) = result5[0];
+            PACKEDF(item5 + entries5[1], 0) = result5[1];
+            PACKEDF(item5 + entries5[2], 0) = result5[2];
         } else {
-            const floats all[] = {p_ddot0, p_ddot1, p_ddot2};
-            give_eachf(item5, entries5, step5, 3, all);
+            give_eachf(item5, entries5, step5, 3, result5);
         }
         stream_lines(&copied);
     }
@@ -547,7 +543,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -556,7 +552,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -572,7 +568,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -621,26 +617,8 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_block_items(
         const doubles N_dot7 = half_t8 + t16;
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(double));
-        if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, N_dot0, N_dot1, N_dot2, N_dot3);
-            store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
-            store_4(item3 + 8 * sizeof(double), step3, N_dot8, N_dot9, N_dot10, N_dot11);
-        } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = N_dot0;
-            PACKED(item3 + entries3[1], 0) = N_dot1;
-            PACKED(item3 + entries3[2], 0) = N_dot2;
-            PACKED(item3 + entries3[3], 0) = N_dot3;
-            PACKED(item3 + entries3[4], 0) = N_dot4;
-            PACKED(item3 + entries3[5], 0) = N_dot5;
-            PACKED(item3 + entries3[6], 0) = N_dot6;
-            PACKED(item3 + entries3[7], 0) = N_dot7;
-            PACKED(item3 + entries3[8], 0) = N_dot8;
-            PACKED(item3 + entries3[9], 0) = N_dot9;
-            PACKED(item3 + entries3[10], 0) = N_dot10;
-            PACKED(item3 + entries3[11], 0) = N_dot11;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(double), copied.ahead);
+        const doubles result3[] = {
             N_dot0,
             N_dot1,
             N_dot2,
@@ -653,7 +631,23 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_block_items(
             N_dot9,
             N_dot10,
             N_dot11};
-            give_each(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_all(item3, step3, 12, result3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
+            PACKED(item3 + entries3[7], 0) = result3[7];
+            PACKED(item3 + entries3[8], 0) = result3[8];
+            PACKED(item3 + entries3[9], 0) = result3[9];
+            PACKED(item3 + entries3[10], 0) = result3[10];
+            PACKED(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_each(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -689,7 +683,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -698,7 +692,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -714,7 +708,7 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -763,26 +757,8 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_blockf_items(
         const floats N_dot7 = half_t8 + t16;
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(float));
-        if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, N_dot0, N_dot1, N_dot2, N_dot3);
-            store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
-            store_4f(item3 + 8 * sizeof(float), step3, N_dot8, N_dot9, N_dot10, N_dot11);
-        } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = N_dot0;
-            PACKEDF(item3 + entries3[1], 0) = N_dot1;
-            PACKEDF(item3 + entries3[2], 0) = N_dot2;
-            PACKEDF(item3 + entries3[3], 0) = N_dot3;
-            PACKEDF(item3 + entries3[4], 0) = N_dot4;
-            PACKEDF(item3 + entries3[5], 0) = N_dot5;
-            PACKEDF(item3 + entries3[6], 0) = N_dot6;
-            PACKEDF(item3 + entries3[7], 0) = N_dot7;
-            PACKEDF(item3 + entries3[8], 0) = N_dot8;
-            PACKEDF(item3 + entries3[9], 0) = N_dot9;
-            PACKEDF(item3 + entries3[10], 0) = N_dot10;
-            PACKEDF(item3 + entries3[11], 0) = N_dot11;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(float), copied.ahead);
+        const floats result3[] = {
             N_dot0,
             N_dot1,
             N_dot2,
@@ -795,7 +771,23 @@ CHASLES_INLINE void chasles_natural_rate_matrix_dot_blockf_items(
             N_dot9,
             N_dot10,
             N_dot11};
-            give_eachf(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_allf(item3, step3, 12, result3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
+            PACKEDF(item3 + entries3[7], 0) = result3[7];
+            PACKEDF(item3 + entries3[8], 0) = result3[8];
+            PACKEDF(item3 + entries3[9], 0) = result3[9];
+            PACKEDF(item3 + entries3[10], 0) = result3[10];
+            PACKEDF(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_eachf(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -831,7 +823,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -840,7 +832,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -856,7 +848,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -910,26 +902,8 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_block_items(
         const doubles L_dot10 = -t13;
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(double));
-        if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, L_dot0, L_dot1, L_dot2, L_dot3);
-            store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
-            store_4(item3 + 8 * sizeof(double), step3, L_dot8, L_dot9, L_dot10, L_dot11);
-        } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = L_dot0;
-            PACKED(item3 + entries3[1], 0) = L_dot1;
-            PACKED(item3 + entries3[2], 0) = L_dot2;
-            PACKED(item3 + entries3[3], 0) = L_dot3;
-            PACKED(item3 + entries3[4], 0) = L_dot4;
-            PACKED(item3 + entries3[5], 0) = L_dot5;
-            PACKED(item3 + entries3[6], 0) = L_dot6;
-            PACKED(item3 + entries3[7], 0) = L_dot7;
-            PACKED(item3 + entries3[8], 0) = L_dot8;
-            PACKED(item3 + entries3[9], 0) = L_dot9;
-            PACKED(item3 + entries3[10], 0) = L_dot10;
-            PACKED(item3 + entries3[11], 0) = L_dot11;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(double), copied.ahead);
+        const doubles result3[] = {
             L_dot0,
             L_dot1,
             L_dot2,
@@ -942,7 +916,23 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_block_items(
             L_dot9,
             L_dot10,
             L_dot11};
-            give_each(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_all(item3, step3, 12, result3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
+            PACKED(item3 + entries3[7], 0) = result3[7];
+            PACKED(item3 + entries3[8], 0) = result3[8];
+            PACKED(item3 + entries3[9], 0) = result3[9];
+            PACKED(item3 + entries3[10], 0) = result3[10];
+            PACKED(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_each(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -978,7 +968,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -987,7 +977,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -1003,7 +993,7 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -1057,26 +1047,8 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_blockf_items(
         const floats L_dot10 = -t13;
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(float));
-        if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, L_dot0, L_dot1, L_dot2, L_dot3);
-            store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
-            store_4f(item3 + 8 * sizeof(float), step3, L_dot8, L_dot9, L_dot10, L_dot11);
-        } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = L_dot0;
-            PACKEDF(item3 + entries3[1], 0) = L_dot1;
-            PACKEDF(item3 + entries3[2], 0) = L_dot2;
-            PACKEDF(item3 + entries3[3], 0) = L_dot3;
-            PACKEDF(item3 + entries3[4], 0) = L_dot4;
-            PACKEDF(item3 + entries3[5], 0) = L_dot5;
-            PACKEDF(item3 + entries3[6], 0) = L_dot6;
-            PACKEDF(item3 + entries3[7], 0) = L_dot7;
-            PACKEDF(item3 + entries3[8], 0) = L_dot8;
-            PACKEDF(item3 + entries3[9], 0) = L_dot9;
-            PACKEDF(item3 + entries3[10], 0) = L_dot10;
-            PACKEDF(item3 + entries3[11], 0) = L_dot11;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(float), copied.ahead);
+        const floats result3[] = {
             L_dot0,
             L_dot1,
             L_dot2,
@@ -1089,7 +1061,23 @@ CHASLES_INLINE void chasles_linear_rate_matrix_dot_blockf_items(
             L_dot9,
             L_dot10,
             L_dot11};
-            give_eachf(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_allf(item3, step3, 12, result3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
+            PACKEDF(item3 + entries3[7], 0) = result3[7];
+            PACKEDF(item3 + entries3[8], 0) = result3[8];
+            PACKEDF(item3 + entries3[9], 0) = result3[9];
+            PACKEDF(item3 + entries3[10], 0) = result3[10];
+            PACKEDF(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_eachf(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1125,7 +1113,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1134,7 +1122,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -1150,7 +1138,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -1179,26 +1167,8 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_block_items(
         const doubles H_dot2 = -H_dot6;
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(double));
-        if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, H_dot0, H_dot1, H_dot2, H_dot3);
-            store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
-            store_4(item3 + 8 * sizeof(double), step3, H_dot0, H_dot7, H_dot2, H_dot3);
-        } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = H_dot0;
-            PACKED(item3 + entries3[1], 0) = H_dot1;
-            PACKED(item3 + entries3[2], 0) = H_dot2;
-            PACKED(item3 + entries3[3], 0) = H_dot3;
-            PACKED(item3 + entries3[4], 0) = H_dot0;
-            PACKED(item3 + entries3[5], 0) = H_dot5;
-            PACKED(item3 + entries3[6], 0) = H_dot6;
-            PACKED(item3 + entries3[7], 0) = H_dot7;
-            PACKED(item3 + entries3[8], 0) = H_dot0;
-            PACKED(item3 + entries3[9], 0) = H_dot7;
-            PACKED(item3 + entries3[10], 0) = H_dot2;
-            PACKED(item3 + entries3[11], 0) = H_dot3;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(double), copied.ahead);
+        const doubles result3[] = {
             H_dot0,
             H_dot1,
             H_dot2,
@@ -1211,7 +1181,23 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_block_items(
             H_dot7,
             H_dot2,
             H_dot3};
-            give_each(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_all(item3, step3, 12, result3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
+            PACKED(item3 + entries3[7], 0) = result3[7];
+            PACKED(item3 + entries3[8], 0) = result3[8];
+            PACKED(item3 + entries3[9], 0) = result3[9];
+            PACKED(item3 + entries3[10], 0) = result3[10];
+            PACKED(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_each(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1255,7 +1241,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1264,7 +1250,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -1280,7 +1266,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -1309,26 +1295,8 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_blockf_items(
         const floats H_dot2 = -H_dot6;
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(float));
-        if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, H_dot0, H_dot1, H_dot2, H_dot3);
-            store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
-            store_4f(item3 + 8 * sizeof(float), step3, H_dot0, H_dot7, H_dot2, H_dot3);
-        } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = H_dot0;
-            PACKEDF(item3 + entries3[1], 0) = H_dot1;
-            PACKEDF(item3 + entries3[2], 0) = H_dot2;
-            PACKEDF(item3 + entries3[3], 0) = H_dot3;
-            PACKEDF(item3 + entries3[4], 0) = H_dot0;
-            PACKEDF(item3 + entries3[5], 0) = H_dot5;
-            PACKEDF(item3 + entries3[6], 0) = H_dot6;
-            PACKEDF(item3 + entries3[7], 0) = H_dot7;
-            PACKEDF(item3 + entries3[8], 0) = H_dot0;
-            PACKEDF(item3 + entries3[9], 0) = H_dot7;
-            PACKEDF(item3 + entries3[10], 0) = H_dot2;
-            PACKEDF(item3 + entries3[11], 0) = H_dot3;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(float), copied.ahead);
+        const floats result3[] = {
             H_dot0,
             H_dot1,
             H_dot2,
@@ -1341,7 +1309,23 @@ CHASLES_INLINE void chasles_euler_rodrigues_rate_matrix_dot_blockf_items(
             H_dot7,
             H_dot2,
             H_dot3};
-            give_eachf(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_allf(item3, step3, 12, result3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
+            PACKEDF(item3 + entries3[7], 0) = result3[7];
+            PACKEDF(item3 + entries3[8], 0) = result3[8];
+            PACKEDF(item3 + entries3[9], 0) = result3[9];
+            PACKEDF(item3 + entries3[10], 0) = result3[10];
+            PACKEDF(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_eachf(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1385,7 +1369,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1394,7 +1378,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -1410,7 +1394,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -1446,38 +1430,8 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_block_items(
         const doubles N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5 * t6);
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(double));
-        if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, 
-            N_tilde_dot0,
-            N_tilde_dot1,
-            N_tilde_dot2,
-            N_tilde_dot3);
-            store_4(item3 + 4 * sizeof(double), step3, 
-            N_tilde_dot4,
-            N_tilde_dot0,
-            N_tilde_dot6,
-            N_tilde_dot7);
-            store_4(item3 + 8 * sizeof(double), step3, 
-            N_tilde_dot8,
-            N_tilde_dot9,
-            N_tilde_dot0,
-            N_tilde_dot11);
-        } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = N_tilde_dot0;
-            PACKED(item3 + entries3[1], 0) = N_tilde_dot1;
-            PACKED(item3 + entries3[2], 0) = N_tilde_dot2;
-            PACKED(item3 + entries3[3], 0) = N_tilde_dot3;
-            PACKED(item3 + entries3[4], 0) = N_tilde_dot4;
-            PACKED(item3 + entries3[5], 0) = N_tilde_dot0;
-            PACKED(item3 + entries3[6], 0) = N_tilde_dot6;
-            PACKED(item3 + entries3[7], 0) = N_tilde_dot7;
-            PACKED(item3 + entries3[8], 0) = N_tilde_dot8;
-            PACKED(item3 + entries3[9], 0) = N_tilde_dot9;
-            PACKED(item3 + entries3[10], 0) = N_tilde_dot0;
-            PACKED(item3 + entries3[11], 0) = N_tilde_dot11;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(double), copied.ahead);
+        const doubles result3[] = {
             N_tilde_dot0,
             N_tilde_dot1,
             N_tilde_dot2,
@@ -1490,7 +1444,23 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_block_items(
             N_tilde_dot9,
             N_tilde_dot0,
             N_tilde_dot11};
-            give_each(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_all(item3, step3, 12, result3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
+            PACKED(item3 + entries3[7], 0) = result3[7];
+            PACKED(item3 + entries3[8], 0) = result3[8];
+            PACKED(item3 + entries3[9], 0) = result3[9];
+            PACKED(item3 + entries3[10], 0) = result3[10];
+            PACKED(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_each(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1526,7 +1496,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1535,7 +1505,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -1551,7 +1521,7 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -1587,38 +1557,8 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_blockf_items(
         const floats N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5f * t6);
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(float));
-        if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, 
-            N_tilde_dot0,
-            N_tilde_dot1,
-            N_tilde_dot2,
-            N_tilde_dot3);
-            store_4f(item3 + 4 * sizeof(float), step3, 
-            N_tilde_dot4,
-            N_tilde_dot0,
-            N_tilde_dot6,
-            N_tilde_dot7);
-            store_4f(item3 + 8 * sizeof(float), step3, 
-            N_tilde_dot8,
-            N_tilde_dot9,
-            N_tilde_dot0,
-            N_tilde_dot11);
-        } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = N_tilde_dot0;
-            PACKEDF(item3 + entries3[1], 0) = N_tilde_dot1;
-            PACKEDF(item3 + entries3[2], 0) = N_tilde_dot2;
-            PACKEDF(item3 + entries3[3], 0) = N_tilde_dot3;
-            PACKEDF(item3 + entries3[4], 0) = N_tilde_dot4;
-            PACKEDF(item3 + entries3[5], 0) = N_tilde_dot0;
-            PACKEDF(item3 + entries3[6], 0) = N_tilde_dot6;
-            PACKEDF(item3 + entries3[7], 0) = N_tilde_dot7;
-            PACKEDF(item3 + entries3[8], 0) = N_tilde_dot8;
-            PACKEDF(item3 + entries3[9], 0) = N_tilde_dot9;
-            PACKEDF(item3 + entries3[10], 0) = N_tilde_dot0;
-            PACKEDF(item3 + entries3[11], 0) = N_tilde_dot11;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(float), copied.ahead);
+        const floats result3[] = {
             N_tilde_dot0,
             N_tilde_dot1,
             N_tilde_dot2,
@@ -1631,7 +1571,23 @@ CHASLES_INLINE void chasles_natural_velocity_matrix_dot_blockf_items(
             N_tilde_dot9,
             N_tilde_dot0,
             N_tilde_dot11};
-            give_eachf(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_allf(item3, step3, 12, result3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
+            PACKEDF(item3 + entries3[7], 0) = result3[7];
+            PACKEDF(item3 + entries3[8], 0) = result3[8];
+            PACKEDF(item3 + entries3[9], 0) = result3[9];
+            PACKEDF(item3 + entries3[10], 0) = result3[10];
+            PACKEDF(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_eachf(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1667,7 +1623,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1676,7 +1632,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -1692,7 +1648,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -1721,38 +1677,8 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_block_items(
         const doubles L_tilde_dot3 = -L_tilde_dot9;
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(double));
-        if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, 
-            spread(0.0),
-            L_tilde_dot1,
-            L_tilde_dot2,
-            L_tilde_dot3);
-            store_4(item3 + 4 * sizeof(double), step3, 
-            L_tilde_dot4,
-            spread(0.0),
-            L_tilde_dot3,
-            L_tilde_dot7);
-            store_4(item3 + 8 * sizeof(double), step3, 
-            L_tilde_dot7,
-            L_tilde_dot9,
-            spread(0.0),
-            L_tilde_dot1);
-        } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = spread(0.0);
-            PACKED(item3 + entries3[1], 0) = L_tilde_dot1;
-            PACKED(item3 + entries3[2], 0) = L_tilde_dot2;
-            PACKED(item3 + entries3[3], 0) = L_tilde_dot3;
-            PACKED(item3 + entries3[4], 0) = L_tilde_dot4;
-            PACKED(item3 + entries3[5], 0) = spread(0.0);
-            PACKED(item3 + entries3[6], 0) = L_tilde_dot3;
-            PACKED(item3 + entries3[7], 0) = L_tilde_dot7;
-            PACKED(item3 + entries3[8], 0) = L_tilde_dot7;
-            PACKED(item3 + entries3[9], 0) = L_tilde_dot9;
-            PACKED(item3 + entries3[10], 0) = spread(0.0);
-            PACKED(item3 + entries3[11], 0) = L_tilde_dot1;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(double), copied.ahead);
+        const doubles result3[] = {
             spread(0.0),
             L_tilde_dot1,
             L_tilde_dot2,
@@ -1765,7 +1691,23 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_block_items(
             L_tilde_dot9,
             spread(0.0),
             L_tilde_dot1};
-            give_each(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_all(item3, step3, 12, result3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
+            PACKED(item3 + entries3[7], 0) = result3[7];
+            PACKED(item3 + entries3[8], 0) = result3[8];
+            PACKED(item3 + entries3[9], 0) = result3[9];
+            PACKED(item3 + entries3[10], 0) = result3[10];
+            PACKED(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_each(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1801,7 +1743,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1810,7 +1752,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -1826,7 +1768,7 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -1855,38 +1797,8 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_blockf_items(
         const floats L_tilde_dot3 = -L_tilde_dot9;
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(float));
-        if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, 
-            spreadf(0.0f),
-            L_tilde_dot1,
-            L_tilde_dot2,
-            L_tilde_dot3);
-            store_4f(item3 + 4 * sizeof(float), step3, 
-            L_tilde_dot4,
-            spreadf(0.0f),
-            L_tilde_dot3,
-            L_tilde_dot7);
-            store_4f(item3 + 8 * sizeof(float), step3, 
-            L_tilde_dot7,
-            L_tilde_dot9,
-            spreadf(0.0f),
-            L_tilde_dot1);
-        } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = spreadf(0.0f);
-            PACKEDF(item3 + entries3[1], 0) = L_tilde_dot1;
-            PACKEDF(item3 + entries3[2], 0) = L_tilde_dot2;
-            PACKEDF(item3 + entries3[3], 0) = L_tilde_dot3;
-            PACKEDF(item3 + entries3[4], 0) = L_tilde_dot4;
-            PACKEDF(item3 + entries3[5], 0) = spreadf(0.0f);
-            PACKEDF(item3 + entries3[6], 0) = L_tilde_dot3;
-            PACKEDF(item3 + entries3[7], 0) = L_tilde_dot7;
-            PACKEDF(item3 + entries3[8], 0) = L_tilde_dot7;
-            PACKEDF(item3 + entries3[9], 0) = L_tilde_dot9;
-            PACKEDF(item3 + entries3[10], 0) = spreadf(0.0f);
-            PACKEDF(item3 + entries3[11], 0) = L_tilde_dot1;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(float), copied.ahead);
+        const floats result3[] = {
             spreadf(0.0f),
             L_tilde_dot1,
             L_tilde_dot2,
@@ -1899,7 +1811,23 @@ CHASLES_INLINE void chasles_linear_velocity_matrix_dot_blockf_items(
             L_tilde_dot9,
             spreadf(0.0f),
             L_tilde_dot1};
-            give_eachf(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_allf(item3, step3, 12, result3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
+            PACKEDF(item3 + entries3[7], 0) = result3[7];
+            PACKEDF(item3 + entries3[8], 0) = result3[8];
+            PACKEDF(item3 + entries3[9], 0) = result3[9];
+            PACKEDF(item3 + entries3[10], 0) = result3[10];
+            PACKEDF(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_eachf(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -1935,7 +1863,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1944,7 +1872,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -1960,7 +1888,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -1987,38 +1915,8 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_block_items(
         const doubles H_tilde_dot3 = -H_tilde_dot9;
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(double));
-        if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, 
-            H_tilde_dot0,
-            H_tilde_dot1,
-            H_tilde_dot2,
-            H_tilde_dot3);
-            store_4(item3 + 4 * sizeof(double), step3, 
-            H_tilde_dot4,
-            H_tilde_dot0,
-            H_tilde_dot3,
-            H_tilde_dot7);
-            store_4(item3 + 8 * sizeof(double), step3, 
-            H_tilde_dot7,
-            H_tilde_dot9,
-            H_tilde_dot0,
-            H_tilde_dot1);
-        } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = H_tilde_dot0;
-            PACKED(item3 + entries3[1], 0) = H_tilde_dot1;
-            PACKED(item3 + entries3[2], 0) = H_tilde_dot2;
-            PACKED(item3 + entries3[3], 0) = H_tilde_dot3;
-            PACKED(item3 + entries3[4], 0) = H_tilde_dot4;
-            PACKED(item3 + entries3[5], 0) = H_tilde_dot0;
-            PACKED(item3 + entries3[6], 0) = H_tilde_dot3;
-            PACKED(item3 + entries3[7], 0) = H_tilde_dot7;
-            PACKED(item3 + entries3[8], 0) = H_tilde_dot7;
-            PACKED(item3 + entries3[9], 0) = H_tilde_dot9;
-            PACKED(item3 + entries3[10], 0) = H_tilde_dot0;
-            PACKED(item3 + entries3[11], 0) = H_tilde_dot1;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(double), copied.ahead);
+        const doubles result3[] = {
             H_tilde_dot0,
             H_tilde_dot1,
             H_tilde_dot2,
@@ -2031,7 +1929,23 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_block_items(
             H_tilde_dot9,
             H_tilde_dot0,
             H_tilde_dot1};
-            give_each(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_all(item3, step3, 12, result3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
+            PACKED(item3 + entries3[6], 0) = result3[6];
+            PACKED(item3 + entries3[7], 0) = result3[7];
+            PACKED(item3 + entries3[8], 0) = result3[8];
+            PACKED(item3 + entries3[9], 0) = result3[9];
+            PACKED(item3 + entries3[10], 0) = result3[10];
+            PACKED(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_each(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -2075,7 +1989,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2084,7 +1998,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2100,7 +2014,7 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -2127,38 +2041,8 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(
         const floats H_tilde_dot3 = -H_tilde_dot9;
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 12, sizeof(float));
-        if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, 
-            H_tilde_dot0,
-            H_tilde_dot1,
-            H_tilde_dot2,
-            H_tilde_dot3);
-            store_4f(item3 + 4 * sizeof(float), step3, 
-            H_tilde_dot4,
-            H_tilde_dot0,
-            H_tilde_dot3,
-            H_tilde_dot7);
-            store_4f(item3 + 8 * sizeof(float), step3, 
-            H_tilde_dot7,
-            H_tilde_dot9,
-            H_tilde_dot0,
-            H_tilde_dot1);
-        } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = H_tilde_dot0;
-            PACKEDF(item3 + entries3[1], 0) = H_tilde_dot1;
-            PACKEDF(item3 + entries3[2], 0) = H_tilde_dot2;
-            PACKEDF(item3 + entries3[3], 0) = H_tilde_dot3;
-            PACKEDF(item3 + entries3[4], 0) = H_tilde_dot4;
-            PACKEDF(item3 + entries3[5], 0) = H_tilde_dot0;
-            PACKEDF(item3 + entries3[6], 0) = H_tilde_dot3;
-            PACKEDF(item3 + entries3[7], 0) = H_tilde_dot7;
-            PACKEDF(item3 + entries3[8], 0) = H_tilde_dot7;
-            PACKEDF(item3 + entries3[9], 0) = H_tilde_dot9;
-            PACKEDF(item3 + entries3[10], 0) = H_tilde_dot0;
-            PACKEDF(item3 + entries3[11], 0) = H_tilde_dot1;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item3, step3, 12, sizeof(float), copied.ahead);
+        const floats result3[] = {
             H_tilde_dot0,
             H_tilde_dot1,
             H_tilde_dot2,
@@ -2171,7 +2055,23 @@ CHASLES_INLINE void chasles_euler_rodrigues_velocity_matrix_dot_blockf_items(
             H_tilde_dot9,
             H_tilde_dot0,
             H_tilde_dot1};
-            give_eachf(item3, entries3, step3, 12, all);
+        if (dense3) {
+            store_allf(item3, step3, 12, result3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
+            PACKEDF(item3 + entries3[6], 0) = result3[6];
+            PACKEDF(item3 + entries3[7], 0) = result3[7];
+            PACKEDF(item3 + entries3[8], 0) = result3[8];
+            PACKEDF(item3 + entries3[9], 0) = result3[9];
+            PACKEDF(item3 + entries3[10], 0) = result3[10];
+            PACKEDF(item3 + entries3[11], 0) = result3[11];
+        } else {
+            give_eachf(item3, entries3, step3, 12, result3);
         }
         stream_lines(&copied);
     }
@@ -2219,7 +2119,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -2228,7 +2128,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -2244,7 +2144,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
         }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -2260,7 +2160,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
         }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
             load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
@@ -2305,21 +2205,20 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_block_items(
         const doubles t14 = 0.5 * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 7, sizeof(double));
+        prefetch_to_write(item4, step4, 7, sizeof(double), copied.ahead);
+        const doubles result4[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-            store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+            store_all(item4, step4, 7, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = s_ddot0;
-            PACKED(item4 + entries4[1], 0) = s_ddot1;
-            PACKED(item4 + entries4[2], 0) = s_ddot2;
-            PACKED(item4 + entries4[3], 0) = s_ddot3;
-            PACKED(item4 + entries4[4], 0) = s_ddot4;
-            PACKED(item4 + entries4[5], 0) = s_ddot5;
-            PACKED(item4 + entries4[6], 0) = s_ddot6;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
+            PACKED(item4 + entries4[6], 0) = result4[6];
         } else {
-            const doubles all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
-            give_each(item4, entries4, step4, 7, all);
+            give_each(item4, entries4, step4, 7, result4);
         }
         stream_lines(&copied);
     }
@@ -2359,7 +2258,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2368,7 +2267,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2384,7 +2283,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
         }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -2400,7 +2299,7 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
         }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
@@ -2445,21 +2344,20 @@ CHASLES_INLINE void chasles_pose_acceleration_natural_blockf_items(
         const floats t14 = 0.5f * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 7, sizeof(float));
+        prefetch_to_write(item4, step4, 7, sizeof(float), copied.ahead);
+        const floats result4[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-            store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+            store_allf(item4, step4, 7, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = s_ddot0;
-            PACKEDF(item4 + entries4[1], 0) = s_ddot1;
-            PACKEDF(item4 + entries4[2], 0) = s_ddot2;
-            PACKEDF(item4 + entries4[3], 0) = s_ddot3;
-            PACKEDF(item4 + entries4[4], 0) = s_ddot4;
-            PACKEDF(item4 + entries4[5], 0) = s_ddot5;
-            PACKEDF(item4 + entries4[6], 0) = s_ddot6;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
+            PACKEDF(item4 + entries4[6], 0) = result4[6];
         } else {
-            const floats all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
-            give_eachf(item4, entries4, step4, 7, all);
+            give_eachf(item4, entries4, step4, 7, result4);
         }
         stream_lines(&copied);
     }
@@ -2499,7 +2397,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -2508,7 +2406,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -2524,7 +2422,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
         }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -2540,7 +2438,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
         }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
             load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
@@ -2584,21 +2482,20 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_block_items(
         const doubles s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 7, sizeof(double));
+        prefetch_to_write(item4, step4, 7, sizeof(double), copied.ahead);
+        const doubles result4[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-            store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+            store_all(item4, step4, 7, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = s_ddot0;
-            PACKED(item4 + entries4[1], 0) = s_ddot1;
-            PACKED(item4 + entries4[2], 0) = s_ddot2;
-            PACKED(item4 + entries4[3], 0) = s_ddot3;
-            PACKED(item4 + entries4[4], 0) = s_ddot4;
-            PACKED(item4 + entries4[5], 0) = s_ddot5;
-            PACKED(item4 + entries4[6], 0) = s_ddot6;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
+            PACKED(item4 + entries4[6], 0) = result4[6];
         } else {
-            const doubles all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
-            give_each(item4, entries4, step4, 7, all);
+            give_each(item4, entries4, step4, 7, result4);
         }
         stream_lines(&copied);
     }
@@ -2638,7 +2535,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -2647,7 +2544,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2663,7 +2560,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
         }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -2679,7 +2576,7 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
         }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
@@ -2723,21 +2620,20 @@ CHASLES_INLINE void chasles_pose_acceleration_linear_blockf_items(
         const floats s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 7, sizeof(float));
+        prefetch_to_write(item4, step4, 7, sizeof(float), copied.ahead);
+        const floats result4[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-            store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+            store_allf(item4, step4, 7, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = s_ddot0;
-            PACKEDF(item4 + entries4[1], 0) = s_ddot1;
-            PACKEDF(item4 + entries4[2], 0) = s_ddot2;
-            PACKEDF(item4 + entries4[3], 0) = s_ddot3;
-            PACKEDF(item4 + entries4[4], 0) = s_ddot4;
-            PACKEDF(item4 + entries4[5], 0) = s_ddot5;
-            PACKEDF(item4 + entries4[6], 0) = s_ddot6;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
+            PACKEDF(item4 + entries4[6], 0) = result4[6];
         } else {
-            const floats all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
-            give_eachf(item4, entries4, step4, 7, all);
+            give_eachf(item4, entries4, step4, 7, result4);
         }
         stream_lines(&copied);
     }
@@ -2777,7 +2673,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -2786,7 +2682,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -2802,7 +2698,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
         }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -2818,7 +2714,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
         }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
             load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
@@ -2858,21 +2754,20 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_block_items(
         const doubles t9 = 0.5 * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 7, sizeof(double));
+        prefetch_to_write(item4, step4, 7, sizeof(double), copied.ahead);
+        const doubles result4[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-            store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+            store_all(item4, step4, 7, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = s_ddot0;
-            PACKED(item4 + entries4[1], 0) = s_ddot1;
-            PACKED(item4 + entries4[2], 0) = s_ddot2;
-            PACKED(item4 + entries4[3], 0) = s_ddot3;
-            PACKED(item4 + entries4[4], 0) = s_ddot4;
-            PACKED(item4 + entries4[5], 0) = s_ddot5;
-            PACKED(item4 + entries4[6], 0) = s_ddot6;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
+            PACKED(item4 + entries4[6], 0) = result4[6];
         } else {
-            const doubles all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
-            give_each(item4, entries4, step4, 7, all);
+            give_each(item4, entries4, step4, 7, result4);
         }
         stream_lines(&copied);
     }
@@ -2921,7 +2816,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2930,7 +2825,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -2946,7 +2841,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
         }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -2962,7 +2857,7 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
         }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
@@ -3002,21 +2897,20 @@ CHASLES_INLINE void chasles_pose_acceleration_euler_rodrigues_blockf_items(
         const floats t9 = 0.5f * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 7, sizeof(float));
+        prefetch_to_write(item4, step4, 7, sizeof(float), copied.ahead);
+        const floats result4[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-            store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+            store_allf(item4, step4, 7, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = s_ddot0;
-            PACKEDF(item4 + entries4[1], 0) = s_ddot1;
-            PACKEDF(item4 + entries4[2], 0) = s_ddot2;
-            PACKEDF(item4 + entries4[3], 0) = s_ddot3;
-            PACKEDF(item4 + entries4[4], 0) = s_ddot4;
-            PACKEDF(item4 + entries4[5], 0) = s_ddot5;
-            PACKEDF(item4 + entries4[6], 0) = s_ddot6;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
+            PACKEDF(item4 + entries4[6], 0) = result4[6];
         } else {
-            const floats all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
-            give_eachf(item4, entries4, step4, 7, all);
+            give_eachf(item4, entries4, step4, 7, result4);
         }
         stream_lines(&copied);
     }
@@ -3065,7 +2959,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -3074,7 +2968,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3090,7 +2984,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_block_items(
         }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
         } else if (step2 == sizeof(double)) {
@@ -3108,7 +3002,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_block_items(
         }
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 7);
+        prefetch(item3, 7, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &s_ddot[0]);
             load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
@@ -3149,20 +3043,19 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_block_items(
         const doubles t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = t_dot0;
-            PACKED(item4 + entries4[1], 0) = t_dot1;
-            PACKED(item4 + entries4[2], 0) = t_dot2;
-            PACKED(item4 + entries4[3], 0) = t_dot3;
-            PACKED(item4 + entries4[4], 0) = t_dot4;
-            PACKED(item4 + entries4[5], 0) = t_dot5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -3211,7 +3104,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -3220,7 +3113,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3236,7 +3129,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_blockf_items(
         }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
         } else if (step2 == sizeof(float)) {
@@ -3254,7 +3147,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_blockf_items(
         }
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 7);
+        prefetch(item3, 7, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &s_ddot[0]);
             load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
@@ -3295,20 +3188,19 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_natural_blockf_items(
         const floats t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = t_dot0;
-            PACKEDF(item4 + entries4[1], 0) = t_dot1;
-            PACKEDF(item4 + entries4[2], 0) = t_dot2;
-            PACKEDF(item4 + entries4[3], 0) = t_dot3;
-            PACKEDF(item4 + entries4[4], 0) = t_dot4;
-            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -3357,7 +3249,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -3366,7 +3258,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3382,7 +3274,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_block_items(
         }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
         } else if (step2 == sizeof(double)) {
@@ -3400,7 +3292,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_block_items(
         }
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 7);
+        prefetch(item3, 7, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &s_ddot[0]);
             load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
@@ -3442,20 +3334,19 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_block_items(
         const doubles t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = t_dot0;
-            PACKED(item4 + entries4[1], 0) = t_dot1;
-            PACKED(item4 + entries4[2], 0) = t_dot2;
-            PACKED(item4 + entries4[3], 0) = t_dot3;
-            PACKED(item4 + entries4[4], 0) = t_dot4;
-            PACKED(item4 + entries4[5], 0) = t_dot5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -3495,7 +3386,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -3504,7 +3395,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3520,7 +3411,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_blockf_items(
         }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 7);
+        prefetch(item2, 7, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
         } else if (step2 == sizeof(float)) {
@@ -3538,7 +3429,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_blockf_items(
         }
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 7);
+        prefetch(item3, 7, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &s_ddot[0]);
             load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
@@ -3580,20 +3471,19 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_linear_blockf_items(
         const floats t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = t_dot0;
-            PACKEDF(item4 + entries4[1], 0) = t_dot1;
-            PACKEDF(item4 + entries4[2], 0) = t_dot2;
-            PACKEDF(item4 + entries4[3], 0) = t_dot3;
-            PACKEDF(item4 + entries4[4], 0) = t_dot4;
-            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -3629,7 +3519,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -3638,7 +3528,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &e[0]);
         } else if (step0 == sizeof(double)) {
@@ -3654,7 +3544,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_block_items(
         }
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 7);
+        prefetch(item3, 7, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &s_ddot[0]);
             load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
@@ -3691,20 +3581,19 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_block_items(
         const doubles t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = t_dot0;
-            PACKED(item4 + entries4[1], 0) = t_dot1;
-            PACKED(item4 + entries4[2], 0) = t_dot2;
-            PACKED(item4 + entries4[3], 0) = t_dot3;
-            PACKED(item4 + entries4[4], 0) = t_dot4;
-            PACKED(item4 + entries4[5], 0) = t_dot5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -3749,7 +3638,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -3758,7 +3647,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
         } else if (step0 == sizeof(float)) {
@@ -3774,7 +3663,7 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(
         }
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 7);
+        prefetch(item3, 7, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &s_ddot[0]);
             load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
@@ -3811,20 +3700,19 @@ CHASLES_INLINE void chasles_twist_rate_from_pose_euler_rodrigues_blockf_items(
         const floats t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = t_dot0;
-            PACKEDF(item4 + entries4[1], 0) = t_dot1;
-            PACKEDF(item4 + entries4[2], 0) = t_dot2;
-            PACKEDF(item4 + entries4[3], 0) = t_dot3;
-            PACKEDF(item4 + entries4[4], 0) = t_dot4;
-            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }

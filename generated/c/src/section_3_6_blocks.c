@@ -46,7 +46,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_dot[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &o_dot[0]);
         } else if (step0 == sizeof(double)) {
@@ -62,7 +62,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
         }
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4(item1 + 0 * sizeof(double), step1, &Q[0]);
             load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
@@ -92,7 +92,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -108,7 +108,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
         }
         doubles rho[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &rho[0]);
         } else if (step3 == sizeof(double)) {
@@ -124,7 +124,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
         }
         doubles rho_dot[3];
         const char *const item4 = at4 + g * LANES * step4;
-        prefetch(item4, 3);
+        prefetch(item4, 3, copied.ahead);
         if (dense4) {
             load_3(item4 + 0 * sizeof(double), step4, &rho_dot[0]);
         } else if (step4 == sizeof(double)) {
@@ -148,16 +148,16 @@ CHASLES_INLINE void chasles_moving_frame_velocity_block_items(
         const doubles t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const doubles p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, step5, 3, sizeof(double));
+        prefetch_to_write(item5, step5, 3, sizeof(double), copied.ahead);
+        const doubles result5[] = {p_dot0, p_dot1, p_dot2};
         if (dense5) {
-            store_3(item5 + 0 * sizeof(double), step5, p_dot0, p_dot1, p_dot2);
+            store_all(item5, step5, 3, result5);
         } else if (step5 == sizeof(double)) {
-            PACKED(item5 + entries5[0], 0) = p_dot0;
-            PACKED(item5 + entries5[1], 0) = p_dot1;
-            PACKED(item5 + entries5[2], 0) = p_dot2;
+            PACKED(item5 + entries5[0], 0) = result5[0];
+            PACKED(item5 + entries5[1], 0) = result5[1];
+            PACKED(item5 + entries5[2], 0) = result5[2];
         } else {
-            const doubles all[] = {p_dot0, p_dot1, p_dot2};
-            give_each(item5, entries5, step5, 3, all);
+            give_each(item5, entries5, step5, 3, result5);
         }
         stream_lines(&copied);
     }
@@ -210,7 +210,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_dot[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &o_dot[0]);
         } else if (step0 == sizeof(float)) {
@@ -226,7 +226,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
         }
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4f(item1 + 0 * sizeof(float), step1, &Q[0]);
             load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
@@ -256,7 +256,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -272,7 +272,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
         }
         floats rho[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &rho[0]);
         } else if (step3 == sizeof(float)) {
@@ -288,7 +288,7 @@ CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
         }
         floats rho_dot[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        prefetch(item4, 3);
+        prefetch(item4, 3, copied.ahead);
         if (dense4) {
             load_3f(item4 + 0 * sizeof(float), step4, &rho_dot[0]);
         } else if (step4 == sizeof(float)) {
@@ -312,16 +312,16 @@ CHASLES_INLINE void chasles_moving_frame_velocity_blockf_items(
         const floats t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const floats p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, step5, 3, sizeof(float));
+        prefetch_to_write(item5, step5, 3, sizeof(float), copied.ahead);
+        const floats result5[] = {p_dot0, p_dot1, p_dot2};
         if (dense5) {
-            store_3f(item5 + 0 * sizeof(float), step5, p_dot0, p_dot1, p_dot2);
+            store_allf(item5, step5, 3, result5);
         } else if (step5 == sizeof(float)) {
-            PACKEDF(item5 + entries5[0], 0) = p_dot0;
-            PACKEDF(item5 + entries5[1], 0) = p_dot1;
-            PACKEDF(item5 + entries5[2], 0) = p_dot2;
+            PACKEDF(item5 + entries5[0], 0) = result5[0];
+            PACKEDF(item5 + entries5[1], 0) = result5[1];
+            PACKEDF(item5 + entries5[2], 0) = result5[2];
         } else {
-            const floats all[] = {p_dot0, p_dot1, p_dot2};
-            give_eachf(item5, entries5, step5, 3, all);
+            give_eachf(item5, entries5, step5, 3, result5);
         }
         stream_lines(&copied);
     }
@@ -382,7 +382,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_ddot[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &o_ddot[0]);
         } else if (step0 == sizeof(double)) {
@@ -398,7 +398,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         }
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4(item1 + 0 * sizeof(double), step1, &Q[0]);
             load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
@@ -428,7 +428,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
         } else if (step2 == sizeof(double)) {
@@ -444,7 +444,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         }
         doubles omega_dot[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &omega_dot[0]);
         } else if (step3 == sizeof(double)) {
@@ -460,7 +460,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         }
         doubles rho[3];
         const char *const item4 = at4 + g * LANES * step4;
-        prefetch(item4, 3);
+        prefetch(item4, 3, copied.ahead);
         if (dense4) {
             load_3(item4 + 0 * sizeof(double), step4, &rho[0]);
         } else if (step4 == sizeof(double)) {
@@ -476,7 +476,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         }
         doubles rho_dot[3];
         const char *const item5 = at5 + g * LANES * step5;
-        prefetch(item5, 3);
+        prefetch(item5, 3, copied.ahead);
         if (dense5) {
             load_3(item5 + 0 * sizeof(double), step5, &rho_dot[0]);
         } else if (step5 == sizeof(double)) {
@@ -492,7 +492,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         }
         doubles rho_ddot[3];
         const char *const item6 = at6 + g * LANES * step6;
-        prefetch(item6, 3);
+        prefetch(item6, 3, copied.ahead);
         if (dense6) {
             load_3(item6 + 0 * sizeof(double), step6, &rho_ddot[0]);
         } else if (step6 == sizeof(double)) {
@@ -525,16 +525,16 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_block_items(
         const doubles t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const doubles p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANES * step7;
-        prefetch_to_write(item7, step7, 3, sizeof(double));
+        prefetch_to_write(item7, step7, 3, sizeof(double), copied.ahead);
+        const doubles result7[] = {p_ddot0, p_ddot1, p_ddot2};
         if (dense7) {
-            store_3(item7 + 0 * sizeof(double), step7, p_ddot0, p_ddot1, p_ddot2);
+            store_all(item7, step7, 3, result7);
         } else if (step7 == sizeof(double)) {
-            PACKED(item7 + entries7[0], 0) = p_ddot0;
-            PACKED(item7 + entries7[1], 0) = p_ddot1;
-            PACKED(item7 + entries7[2], 0) = p_ddot2;
+            PACKED(item7 + entries7[0], 0) = result7[0];
+            PACKED(item7 + entries7[1], 0) = result7[1];
+            PACKED(item7 + entries7[2], 0) = result7[2];
         } else {
-            const doubles all[] = {p_ddot0, p_ddot1, p_ddot2};
-            give_each(item7, entries7, step7, 3, all);
+            give_each(item7, entries7, step7, 3, result7);
         }
         stream_lines(&copied);
     }
@@ -597,7 +597,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_ddot[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &o_ddot[0]);
         } else if (step0 == sizeof(float)) {
@@ -613,7 +613,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         }
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 9);
+        prefetch(item1, 9, copied.ahead);
         if (dense1) {
             load_4f(item1 + 0 * sizeof(float), step1, &Q[0]);
             load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
@@ -643,7 +643,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
         } else if (step2 == sizeof(float)) {
@@ -659,7 +659,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         }
         floats omega_dot[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &omega_dot[0]);
         } else if (step3 == sizeof(float)) {
@@ -675,7 +675,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         }
         floats rho[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        prefetch(item4, 3);
+        prefetch(item4, 3, copied.ahead);
         if (dense4) {
             load_3f(item4 + 0 * sizeof(float), step4, &rho[0]);
         } else if (step4 == sizeof(float)) {
@@ -691,7 +691,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         }
         floats rho_dot[3];
         const char *const item5 = at5 + g * LANESF * step5;
-        prefetch(item5, 3);
+        prefetch(item5, 3, copied.ahead);
         if (dense5) {
             load_3f(item5 + 0 * sizeof(float), step5, &rho_dot[0]);
         } else if (step5 == sizeof(float)) {
@@ -707,7 +707,7 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         }
         floats rho_ddot[3];
         const char *const item6 = at6 + g * LANESF * step6;
-        prefetch(item6, 3);
+        prefetch(item6, 3, copied.ahead);
         if (dense6) {
             load_3f(item6 + 0 * sizeof(float), step6, &rho_ddot[0]);
         } else if (step6 == sizeof(float)) {
@@ -740,16 +740,16 @@ CHASLES_INLINE void chasles_moving_frame_acceleration_blockf_items(
         const floats t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const floats p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANESF * step7;
-        prefetch_to_write(item7, step7, 3, sizeof(float));
+        prefetch_to_write(item7, step7, 3, sizeof(float), copied.ahead);
+        const floats result7[] = {p_ddot0, p_ddot1, p_ddot2};
         if (dense7) {
-            store_3f(item7 + 0 * sizeof(float), step7, p_ddot0, p_ddot1, p_ddot2);
+            store_allf(item7, step7, 3, result7);
         } else if (step7 == sizeof(float)) {
-            PACKEDF(item7 + entries7[0], 0) = p_ddot0;
-            PACKEDF(item7 + entries7[1], 0) = p_ddot1;
-            PACKEDF(item7 + entries7[2], 0) = p_ddot2;
+            PACKEDF(item7 + entries7[0], 0) = result7[0];
+            PACKEDF(item7 + entries7[1], 0) = result7[1];
+            PACKEDF(item7 + entries7[2], 0) = result7[2];
         } else {
-            const floats all[] = {p_ddot0, p_ddot1, p_ddot2};
-            give_eachf(item7, entries7, step7, 3, all);
+            give_eachf(item7, entries7, step7, 3, result7);
         }
         stream_lines(&copied);
     }

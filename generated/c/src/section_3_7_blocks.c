@@ -40,7 +40,7 @@ CHASLES_INLINE void chasles_wrench_axis_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles f[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &f[0]);
         } else if (step0 == sizeof(double)) {
@@ -56,7 +56,7 @@ CHASLES_INLINE void chasles_wrench_axis_block_items(
         }
         doubles n_A[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &n_A[0]);
         } else if (step1 == sizeof(double)) {
@@ -72,7 +72,7 @@ CHASLES_INLINE void chasles_wrench_axis_block_items(
         }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &a[0]);
         } else if (step2 == sizeof(double)) {
@@ -112,23 +112,22 @@ CHASLES_INLINE void chasles_wrench_axis_block_items(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {axis0, axis1, axis2, axis3, axis4, axis5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
-            store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = axis0;
-            PACKED(item3 + entries3[1], 0) = axis1;
-            PACKED(item3 + entries3[2], 0) = axis2;
-            PACKED(item3 + entries3[3], 0) = axis3;
-            PACKED(item3 + entries3[4], 0) = axis4;
-            PACKED(item3 + entries3[5], 0) = axis5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 1, sizeof(double));
+        prefetch_to_write(item4, step4, 1, sizeof(double), copied.ahead);
         store_1(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -165,7 +164,7 @@ CHASLES_INLINE void chasles_wrench_axis_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats f[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &f[0]);
         } else if (step0 == sizeof(float)) {
@@ -181,7 +180,7 @@ CHASLES_INLINE void chasles_wrench_axis_blockf_items(
         }
         floats n_A[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &n_A[0]);
         } else if (step1 == sizeof(float)) {
@@ -197,7 +196,7 @@ CHASLES_INLINE void chasles_wrench_axis_blockf_items(
         }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
         } else if (step2 == sizeof(float)) {
@@ -237,23 +236,22 @@ CHASLES_INLINE void chasles_wrench_axis_blockf_items(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {axis0, axis1, axis2, axis3, axis4, axis5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
-            store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = axis0;
-            PACKEDF(item3 + entries3[1], 0) = axis1;
-            PACKEDF(item3 + entries3[2], 0) = axis2;
-            PACKEDF(item3 + entries3[3], 0) = axis3;
-            PACKEDF(item3 + entries3[4], 0) = axis4;
-            PACKEDF(item3 + entries3[5], 0) = axis5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 1, sizeof(float));
+        prefetch_to_write(item4, step4, 1, sizeof(float), copied.ahead);
         store_1f(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -282,7 +280,7 @@ CHASLES_INLINE void chasles_power_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &t[0]);
             load_2(item0 + 4 * sizeof(double), step0, &t[4]);
@@ -305,7 +303,7 @@ CHASLES_INLINE void chasles_power_block_items(
         }
         doubles w[6];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 6);
+        prefetch(item1, 6, copied.ahead);
         if (dense1) {
             load_4(item1 + 0 * sizeof(double), step1, &w[0]);
             load_2(item1 + 4 * sizeof(double), step1, &w[4]);
@@ -329,7 +327,7 @@ CHASLES_INLINE void chasles_power_block_items(
         const doubles t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const doubles Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(double));
+        prefetch_to_write(item2, step2, 1, sizeof(double), copied.ahead);
         store_1(item2, step2, Pi_value);
         stream_lines(&copied);
     }
@@ -365,7 +363,7 @@ CHASLES_INLINE void chasles_power_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &t[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &t[4]);
@@ -388,7 +386,7 @@ CHASLES_INLINE void chasles_power_blockf_items(
         }
         floats w[6];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 6);
+        prefetch(item1, 6, copied.ahead);
         if (dense1) {
             load_4f(item1 + 0 * sizeof(float), step1, &w[0]);
             load_2f(item1 + 4 * sizeof(float), step1, &w[4]);
@@ -412,7 +410,7 @@ CHASLES_INLINE void chasles_power_blockf_items(
         const floats t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const floats Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(float));
+        prefetch_to_write(item2, step2, 1, sizeof(float), copied.ahead);
         store_1f(item2, step2, Pi_value);
         stream_lines(&copied);
     }
@@ -448,7 +446,7 @@ CHASLES_INLINE void chasles_reciprocal_product_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles s_w[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &s_w[0]);
             load_2(item0 + 4 * sizeof(double), step0, &s_w[4]);
@@ -471,7 +469,7 @@ CHASLES_INLINE void chasles_reciprocal_product_block_items(
         }
         doubles s_t[6];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 6);
+        prefetch(item1, 6, copied.ahead);
         if (dense1) {
             load_4(item1 + 0 * sizeof(double), step1, &s_t[0]);
             load_2(item1 + 4 * sizeof(double), step1, &s_t[4]);
@@ -495,7 +493,7 @@ CHASLES_INLINE void chasles_reciprocal_product_block_items(
         const doubles t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const doubles product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(double));
+        prefetch_to_write(item2, step2, 1, sizeof(double), copied.ahead);
         store_1(item2, step2, product_value);
         stream_lines(&copied);
     }
@@ -531,7 +529,7 @@ CHASLES_INLINE void chasles_reciprocal_product_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats s_w[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &s_w[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &s_w[4]);
@@ -554,7 +552,7 @@ CHASLES_INLINE void chasles_reciprocal_product_blockf_items(
         }
         floats s_t[6];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 6);
+        prefetch(item1, 6, copied.ahead);
         if (dense1) {
             load_4f(item1 + 0 * sizeof(float), step1, &s_t[0]);
             load_2f(item1 + 4 * sizeof(float), step1, &s_t[4]);
@@ -578,7 +576,7 @@ CHASLES_INLINE void chasles_reciprocal_product_blockf_items(
         const floats t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const floats product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 1, sizeof(float));
+        prefetch_to_write(item2, step2, 1, sizeof(float), copied.ahead);
         store_1f(item2, step2, product_value);
         stream_lines(&copied);
     }
@@ -620,7 +618,7 @@ CHASLES_INLINE void chasles_wrench_transfer_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles w_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &w_A[0]);
             load_2(item0 + 4 * sizeof(double), step0, &w_A[4]);
@@ -643,7 +641,7 @@ CHASLES_INLINE void chasles_wrench_transfer_block_items(
         }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &a[0]);
         } else if (step1 == sizeof(double)) {
@@ -659,7 +657,7 @@ CHASLES_INLINE void chasles_wrench_transfer_block_items(
         }
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &p[0]);
         } else if (step2 == sizeof(double)) {
@@ -683,20 +681,19 @@ CHASLES_INLINE void chasles_wrench_transfer_block_items(
         const doubles w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
         const doubles w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {w_P0, w_P1, w_P2, w_P3, w_P4, w_P5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, w_P0, w_P1, w_P2, w_P3);
-            store_2(item3 + 4 * sizeof(double), step3, w_P4, w_P5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = w_P0;
-            PACKED(item3 + entries3[1], 0) = w_P1;
-            PACKED(item3 + entries3[2], 0) = w_P2;
-            PACKED(item3 + entries3[3], 0) = w_P3;
-            PACKED(item3 + entries3[4], 0) = w_P4;
-            PACKED(item3 + entries3[5], 0) = w_P5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {w_P0, w_P1, w_P2, w_P3, w_P4, w_P5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -739,7 +736,7 @@ CHASLES_INLINE void chasles_wrench_transfer_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats w_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &w_A[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &w_A[4]);
@@ -762,7 +759,7 @@ CHASLES_INLINE void chasles_wrench_transfer_blockf_items(
         }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
         } else if (step1 == sizeof(float)) {
@@ -778,7 +775,7 @@ CHASLES_INLINE void chasles_wrench_transfer_blockf_items(
         }
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &p[0]);
         } else if (step2 == sizeof(float)) {
@@ -802,20 +799,19 @@ CHASLES_INLINE void chasles_wrench_transfer_blockf_items(
         const floats w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
         const floats w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {w_P0, w_P1, w_P2, w_P3, w_P4, w_P5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, w_P0, w_P1, w_P2, w_P3);
-            store_2f(item3 + 4 * sizeof(float), step3, w_P4, w_P5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = w_P0;
-            PACKEDF(item3 + entries3[1], 0) = w_P1;
-            PACKEDF(item3 + entries3[2], 0) = w_P2;
-            PACKEDF(item3 + entries3[3], 0) = w_P3;
-            PACKEDF(item3 + entries3[4], 0) = w_P4;
-            PACKEDF(item3 + entries3[5], 0) = w_P5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {w_P0, w_P1, w_P2, w_P3, w_P4, w_P5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }

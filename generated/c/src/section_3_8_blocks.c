@@ -40,7 +40,7 @@ CHASLES_INLINE void chasles_inertia_about_point_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -70,11 +70,11 @@ CHASLES_INLINE void chasles_inertia_about_point_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &c[0]);
         } else if (step2 == sizeof(double)) {
@@ -90,7 +90,7 @@ CHASLES_INLINE void chasles_inertia_about_point_block_items(
         }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &a[0]);
         } else if (step3 == sizeof(double)) {
@@ -125,24 +125,22 @@ CHASLES_INLINE void chasles_inertia_about_point_block_items(
         const doubles I_A7 = I_C[7] - t10;
         const doubles I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 9, sizeof(double));
+        prefetch_to_write(item4, step4, 9, sizeof(double), copied.ahead);
+        const doubles result4[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5, I_A6, I_A7, I_A8};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, I_A0, I_A1, I_A2, I_A3);
-            store_4(item4 + 4 * sizeof(double), step4, I_A4, I_A5, I_A6, I_A7);
-            store_1(item4 + 8 * sizeof(double), step4, I_A8);
+            store_all(item4, step4, 9, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = I_A0;
-            PACKED(item4 + entries4[1], 0) = I_A1;
-            PACKED(item4 + entries4[2], 0) = I_A2;
-            PACKED(item4 + entries4[3], 0) = I_A3;
-            PACKED(item4 + entries4[4], 0) = I_A4;
-            PACKED(item4 + entries4[5], 0) = I_A5;
-            PACKED(item4 + entries4[6], 0) = I_A6;
-            PACKED(item4 + entries4[7], 0) = I_A7;
-            PACKED(item4 + entries4[8], 0) = I_A8;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
+            PACKED(item4 + entries4[6], 0) = result4[6];
+            PACKED(item4 + entries4[7], 0) = result4[7];
+            PACKED(item4 + entries4[8], 0) = result4[8];
         } else {
-            const doubles all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5, I_A6, I_A7, I_A8};
-            give_each(item4, entries4, step4, 9, all);
+            give_each(item4, entries4, step4, 9, result4);
         }
         stream_lines(&copied);
     }
@@ -188,7 +186,7 @@ CHASLES_INLINE void chasles_inertia_about_point_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -218,11 +216,11 @@ CHASLES_INLINE void chasles_inertia_about_point_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
         } else if (step2 == sizeof(float)) {
@@ -238,7 +236,7 @@ CHASLES_INLINE void chasles_inertia_about_point_blockf_items(
         }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
         } else if (step3 == sizeof(float)) {
@@ -273,24 +271,22 @@ CHASLES_INLINE void chasles_inertia_about_point_blockf_items(
         const floats I_A7 = I_C[7] - t10;
         const floats I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 9, sizeof(float));
+        prefetch_to_write(item4, step4, 9, sizeof(float), copied.ahead);
+        const floats result4[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5, I_A6, I_A7, I_A8};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, I_A0, I_A1, I_A2, I_A3);
-            store_4f(item4 + 4 * sizeof(float), step4, I_A4, I_A5, I_A6, I_A7);
-            store_1f(item4 + 8 * sizeof(float), step4, I_A8);
+            store_allf(item4, step4, 9, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = I_A0;
-            PACKEDF(item4 + entries4[1], 0) = I_A1;
-            PACKEDF(item4 + entries4[2], 0) = I_A2;
-            PACKEDF(item4 + entries4[3], 0) = I_A3;
-            PACKEDF(item4 + entries4[4], 0) = I_A4;
-            PACKEDF(item4 + entries4[5], 0) = I_A5;
-            PACKEDF(item4 + entries4[6], 0) = I_A6;
-            PACKEDF(item4 + entries4[7], 0) = I_A7;
-            PACKEDF(item4 + entries4[8], 0) = I_A8;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
+            PACKEDF(item4 + entries4[6], 0) = result4[6];
+            PACKEDF(item4 + entries4[7], 0) = result4[7];
+            PACKEDF(item4 + entries4[8], 0) = result4[8];
         } else {
-            const floats all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5, I_A6, I_A7, I_A8};
-            give_eachf(item4, entries4, step4, 9, all);
+            give_eachf(item4, entries4, step4, 9, result4);
         }
         stream_lines(&copied);
     }
@@ -336,7 +332,7 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -359,11 +355,11 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &c[0]);
         } else if (step2 == sizeof(double)) {
@@ -379,7 +375,7 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_block_items(
         }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &a[0]);
         } else if (step3 == sizeof(double)) {
@@ -408,20 +404,19 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_block_items(
         const doubles I_A4 = I_C[4] - t2 * t5;
         const doubles I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, I_A0, I_A1, I_A2, I_A3);
-            store_2(item4 + 4 * sizeof(double), step4, I_A4, I_A5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = I_A0;
-            PACKED(item4 + entries4[1], 0) = I_A1;
-            PACKED(item4 + entries4[2], 0) = I_A2;
-            PACKED(item4 + entries4[3], 0) = I_A3;
-            PACKED(item4 + entries4[4], 0) = I_A4;
-            PACKED(item4 + entries4[5], 0) = I_A5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -467,7 +462,7 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -490,11 +485,11 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
         } else if (step2 == sizeof(float)) {
@@ -510,7 +505,7 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_blockf_items(
         }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
         } else if (step3 == sizeof(float)) {
@@ -539,20 +534,19 @@ CHASLES_INLINE void chasles_inertia_about_point_sym6_blockf_items(
         const floats I_A4 = I_C[4] - t2 * t5;
         const floats I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, I_A0, I_A1, I_A2, I_A3);
-            store_2f(item4 + 4 * sizeof(float), step4, I_A4, I_A5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = I_A0;
-            PACKEDF(item4 + entries4[1], 0) = I_A1;
-            PACKEDF(item4 + entries4[2], 0) = I_A2;
-            PACKEDF(item4 + entries4[3], 0) = I_A3;
-            PACKEDF(item4 + entries4[4], 0) = I_A4;
-            PACKEDF(item4 + entries4[5], 0) = I_A5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -594,7 +588,7 @@ CHASLES_INLINE void chasles_momentum_screw_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -624,11 +618,11 @@ CHASLES_INLINE void chasles_momentum_screw_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -656,20 +650,19 @@ CHASLES_INLINE void chasles_momentum_screw_block_items(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {mu0, mu1, mu2, mu3, mu4, mu5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, mu0, mu1, mu2, mu3);
-            store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = mu0;
-            PACKED(item3 + entries3[1], 0) = mu1;
-            PACKED(item3 + entries3[2], 0) = mu2;
-            PACKED(item3 + entries3[3], 0) = mu3;
-            PACKED(item3 + entries3[4], 0) = mu4;
-            PACKED(item3 + entries3[5], 0) = mu5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -710,7 +703,7 @@ CHASLES_INLINE void chasles_momentum_screw_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -740,11 +733,11 @@ CHASLES_INLINE void chasles_momentum_screw_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -772,20 +765,19 @@ CHASLES_INLINE void chasles_momentum_screw_blockf_items(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {mu0, mu1, mu2, mu3, mu4, mu5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, mu0, mu1, mu2, mu3);
-            store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = mu0;
-            PACKEDF(item3 + entries3[1], 0) = mu1;
-            PACKEDF(item3 + entries3[2], 0) = mu2;
-            PACKEDF(item3 + entries3[3], 0) = mu3;
-            PACKEDF(item3 + entries3[4], 0) = mu4;
-            PACKEDF(item3 + entries3[5], 0) = mu5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -826,7 +818,7 @@ CHASLES_INLINE void chasles_momentum_screw_sym6_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -849,11 +841,11 @@ CHASLES_INLINE void chasles_momentum_screw_sym6_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -881,20 +873,19 @@ CHASLES_INLINE void chasles_momentum_screw_sym6_block_items(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(double));
+        prefetch_to_write(item3, step3, 6, sizeof(double), copied.ahead);
+        const doubles result3[] = {mu0, mu1, mu2, mu3, mu4, mu5};
         if (dense3) {
-            store_4(item3 + 0 * sizeof(double), step3, mu0, mu1, mu2, mu3);
-            store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+            store_all(item3, step3, 6, result3);
         } else if (step3 == sizeof(double)) {
-            PACKED(item3 + entries3[0], 0) = mu0;
-            PACKED(item3 + entries3[1], 0) = mu1;
-            PACKED(item3 + entries3[2], 0) = mu2;
-            PACKED(item3 + entries3[3], 0) = mu3;
-            PACKED(item3 + entries3[4], 0) = mu4;
-            PACKED(item3 + entries3[5], 0) = mu5;
+            PACKED(item3 + entries3[0], 0) = result3[0];
+            PACKED(item3 + entries3[1], 0) = result3[1];
+            PACKED(item3 + entries3[2], 0) = result3[2];
+            PACKED(item3 + entries3[3], 0) = result3[3];
+            PACKED(item3 + entries3[4], 0) = result3[4];
+            PACKED(item3 + entries3[5], 0) = result3[5];
         } else {
-            const doubles all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
-            give_each(item3, entries3, step3, 6, all);
+            give_each(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -935,7 +926,7 @@ CHASLES_INLINE void chasles_momentum_screw_sym6_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -958,11 +949,11 @@ CHASLES_INLINE void chasles_momentum_screw_sym6_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -990,20 +981,19 @@ CHASLES_INLINE void chasles_momentum_screw_sym6_blockf_items(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 6, sizeof(float));
+        prefetch_to_write(item3, step3, 6, sizeof(float), copied.ahead);
+        const floats result3[] = {mu0, mu1, mu2, mu3, mu4, mu5};
         if (dense3) {
-            store_4f(item3 + 0 * sizeof(float), step3, mu0, mu1, mu2, mu3);
-            store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+            store_allf(item3, step3, 6, result3);
         } else if (step3 == sizeof(float)) {
-            PACKEDF(item3 + entries3[0], 0) = mu0;
-            PACKEDF(item3 + entries3[1], 0) = mu1;
-            PACKEDF(item3 + entries3[2], 0) = mu2;
-            PACKEDF(item3 + entries3[3], 0) = mu3;
-            PACKEDF(item3 + entries3[4], 0) = mu4;
-            PACKEDF(item3 + entries3[5], 0) = mu5;
+            PACKEDF(item3 + entries3[0], 0) = result3[0];
+            PACKEDF(item3 + entries3[1], 0) = result3[1];
+            PACKEDF(item3 + entries3[2], 0) = result3[2];
+            PACKEDF(item3 + entries3[3], 0) = result3[3];
+            PACKEDF(item3 + entries3[4], 0) = result3[4];
+            PACKEDF(item3 + entries3[5], 0) = result3[5];
         } else {
-            const floats all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
-            give_eachf(item3, entries3, step3, 6, all);
+            give_eachf(item3, entries3, step3, 6, result3);
         }
         stream_lines(&copied);
     }
@@ -1042,7 +1032,7 @@ CHASLES_INLINE void chasles_kinetic_energy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -1072,11 +1062,11 @@ CHASLES_INLINE void chasles_kinetic_energy_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -1103,7 +1093,7 @@ CHASLES_INLINE void chasles_kinetic_energy_block_items(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 1, sizeof(double));
+        prefetch_to_write(item3, step3, 1, sizeof(double), copied.ahead);
         store_1(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1142,7 +1132,7 @@ CHASLES_INLINE void chasles_kinetic_energy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -1172,11 +1162,11 @@ CHASLES_INLINE void chasles_kinetic_energy_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -1203,7 +1193,7 @@ CHASLES_INLINE void chasles_kinetic_energy_blockf_items(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 1, sizeof(float));
+        prefetch_to_write(item3, step3, 1, sizeof(float), copied.ahead);
         store_1f(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1242,7 +1232,7 @@ CHASLES_INLINE void chasles_kinetic_energy_sym6_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -1265,11 +1255,11 @@ CHASLES_INLINE void chasles_kinetic_energy_sym6_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
             load_2(item2 + 4 * sizeof(double), step2, &t[4]);
@@ -1296,7 +1286,7 @@ CHASLES_INLINE void chasles_kinetic_energy_sym6_block_items(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, step3, 1, sizeof(double));
+        prefetch_to_write(item3, step3, 1, sizeof(double), copied.ahead);
         store_1(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1335,7 +1325,7 @@ CHASLES_INLINE void chasles_kinetic_energy_sym6_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -1358,11 +1348,11 @@ CHASLES_INLINE void chasles_kinetic_energy_sym6_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
             load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
@@ -1389,7 +1379,7 @@ CHASLES_INLINE void chasles_kinetic_energy_sym6_blockf_items(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, step3, 1, sizeof(float));
+        prefetch_to_write(item3, step3, 1, sizeof(float), copied.ahead);
         store_1f(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1434,7 +1424,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -1464,11 +1454,11 @@ CHASLES_INLINE void chasles_newton_euler_wrench_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -1484,7 +1474,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_block_items(
         }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
             load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
@@ -1518,20 +1508,19 @@ CHASLES_INLINE void chasles_newton_euler_wrench_block_items(
         const doubles t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {w0, w1, w2, w3, w4, w5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, w0, w1, w2, w3);
-            store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = w0;
-            PACKED(item4 + entries4[1], 0) = w1;
-            PACKED(item4 + entries4[2], 0) = w2;
-            PACKED(item4 + entries4[3], 0) = w3;
-            PACKED(item4 + entries4[4], 0) = w4;
-            PACKED(item4 + entries4[5], 0) = w5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {w0, w1, w2, w3, w4, w5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -1577,7 +1566,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -1607,11 +1596,11 @@ CHASLES_INLINE void chasles_newton_euler_wrench_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -1627,7 +1616,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_blockf_items(
         }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
@@ -1661,20 +1650,19 @@ CHASLES_INLINE void chasles_newton_euler_wrench_blockf_items(
         const floats t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {w0, w1, w2, w3, w4, w5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, w0, w1, w2, w3);
-            store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = w0;
-            PACKEDF(item4 + entries4[1], 0) = w1;
-            PACKEDF(item4 + entries4[2], 0) = w2;
-            PACKEDF(item4 + entries4[3], 0) = w3;
-            PACKEDF(item4 + entries4[4], 0) = w4;
-            PACKEDF(item4 + entries4[5], 0) = w5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {w0, w1, w2, w3, w4, w5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -1720,7 +1708,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -1743,11 +1731,11 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -1763,7 +1751,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_block_items(
         }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
             load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
@@ -1797,20 +1785,19 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_block_items(
         const doubles t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {w0, w1, w2, w3, w4, w5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, w0, w1, w2, w3);
-            store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = w0;
-            PACKED(item4 + entries4[1], 0) = w1;
-            PACKED(item4 + entries4[2], 0) = w2;
-            PACKED(item4 + entries4[3], 0) = w3;
-            PACKED(item4 + entries4[4], 0) = w4;
-            PACKED(item4 + entries4[5], 0) = w5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {w0, w1, w2, w3, w4, w5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -1856,7 +1843,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -1879,11 +1866,11 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -1899,7 +1886,7 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_blockf_items(
         }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
@@ -1933,20 +1920,19 @@ CHASLES_INLINE void chasles_newton_euler_wrench_sym6_blockf_items(
         const floats t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {w0, w1, w2, w3, w4, w5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, w0, w1, w2, w3);
-            store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = w0;
-            PACKEDF(item4 + entries4[1], 0) = w1;
-            PACKEDF(item4 + entries4[2], 0) = w2;
-            PACKEDF(item4 + entries4[3], 0) = w3;
-            PACKEDF(item4 + entries4[4], 0) = w4;
-            PACKEDF(item4 + entries4[5], 0) = w5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {w0, w1, w2, w3, w4, w5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -1992,7 +1978,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -2022,11 +2008,11 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -2042,7 +2028,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_block_items(
         }
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &w[0]);
             load_2(item3 + 4 * sizeof(double), step3, &w[4]);
@@ -2115,20 +2101,19 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_block_items(
         const doubles t_dot1 = t41 * (t43 + t33 * (t21 * t22 - t19 * t24)) / t18;
         const doubles t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = t_dot0;
-            PACKED(item4 + entries4[1], 0) = t_dot1;
-            PACKED(item4 + entries4[2], 0) = t_dot2;
-            PACKED(item4 + entries4[3], 0) = t_dot3;
-            PACKED(item4 + entries4[4], 0) = t_dot4;
-            PACKED(item4 + entries4[5], 0) = t_dot5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -2165,7 +2150,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -2195,11 +2180,11 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -2215,7 +2200,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_blockf_items(
         }
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &w[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
@@ -2289,20 +2274,19 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_blockf_items(
         const floats t_dot1 = t42 * (t44 + t33 * (t21 * t22 - t19 * t24)) / t18;
         const floats t_dot2 = t42 * (t45 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = t_dot0;
-            PACKEDF(item4 + entries4[1], 0) = t_dot1;
-            PACKEDF(item4 + entries4[2], 0) = t_dot2;
-            PACKEDF(item4 + entries4[3], 0) = t_dot3;
-            PACKEDF(item4 + entries4[4], 0) = t_dot4;
-            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -2339,7 +2323,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -2362,11 +2346,11 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4(item2 + 0 * sizeof(double), step2, &t[0]);
         } else if (step2 == sizeof(double)) {
@@ -2382,7 +2366,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_block_items(
         }
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4(item3 + 0 * sizeof(double), step3, &w[0]);
             load_2(item3 + 4 * sizeof(double), step3, &w[4]);
@@ -2444,20 +2428,19 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_block_items(
         const doubles t_dot1 = t33 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
         const doubles t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(double));
+        prefetch_to_write(item4, step4, 6, sizeof(double), copied.ahead);
+        const doubles result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+            store_all(item4, step4, 6, result4);
         } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = t_dot0;
-            PACKED(item4 + entries4[1], 0) = t_dot1;
-            PACKED(item4 + entries4[2], 0) = t_dot2;
-            PACKED(item4 + entries4[3], 0) = t_dot3;
-            PACKED(item4 + entries4[4], 0) = t_dot4;
-            PACKED(item4 + entries4[5], 0) = t_dot5;
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
         } else {
-            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_each(item4, entries4, step4, 6, all);
+            give_each(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -2494,7 +2477,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -2517,11 +2500,11 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 6);
+        prefetch(item2, 6, copied.ahead);
         if (dense2) {
             load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
         } else if (step2 == sizeof(float)) {
@@ -2537,7 +2520,7 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_blockf_items(
         }
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 6);
+        prefetch(item3, 6, copied.ahead);
         if (dense3) {
             load_4f(item3 + 0 * sizeof(float), step3, &w[0]);
             load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
@@ -2600,20 +2583,19 @@ CHASLES_INLINE void chasles_newton_euler_twist_rate_sym6_blockf_items(
         const floats t_dot1 = t34 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
         const floats t_dot2 = t34 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 6, sizeof(float));
+        prefetch_to_write(item4, step4, 6, sizeof(float), copied.ahead);
+        const floats result4[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
         if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
-            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+            store_allf(item4, step4, 6, result4);
         } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = t_dot0;
-            PACKEDF(item4 + entries4[1], 0) = t_dot1;
-            PACKEDF(item4 + entries4[2], 0) = t_dot2;
-            PACKEDF(item4 + entries4[3], 0) = t_dot3;
-            PACKEDF(item4 + entries4[4], 0) = t_dot4;
-            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
         } else {
-            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
-            give_eachf(item4, entries4, step4, 6, all);
+            give_eachf(item4, entries4, step4, 6, result4);
         }
         stream_lines(&copied);
     }
@@ -2650,7 +2632,7 @@ CHASLES_INLINE void chasles_inertia_dyad_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -2680,11 +2662,11 @@ CHASLES_INLINE void chasles_inertia_dyad_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &c[0]);
         } else if (step2 == sizeof(double)) {
@@ -2700,7 +2682,7 @@ CHASLES_INLINE void chasles_inertia_dyad_block_items(
         }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &a[0]);
         } else if (step3 == sizeof(double)) {
@@ -2740,56 +2722,8 @@ CHASLES_INLINE void chasles_inertia_dyad_block_items(
         const doubles M_A13 = I_C[7] - t8;
         const doubles M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 36, sizeof(double));
-        if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, M_A0, M_A1, M_A2, spread(0.0));
-            store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A6, M_A7);
-            store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
-            store_4(item4 + 12 * sizeof(double), step4, M_A12, M_A13, M_A14, M_A15);
-            store_4(item4 + 16 * sizeof(double), step4, M_A16, spread(0.0), spread(0.0), M_A9);
-            store_4(item4 + 20 * sizeof(double), step4, M_A15, M_A21, spread(0.0), spread(0.0));
-            store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
-            store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
-            store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
-        } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = M_A0;
-            PACKED(item4 + entries4[1], 0) = M_A1;
-            PACKED(item4 + entries4[2], 0) = M_A2;
-            PACKED(item4 + entries4[3], 0) = spread(0.0);
-            PACKED(item4 + entries4[4], 0) = M_A4;
-            PACKED(item4 + entries4[5], 0) = M_A5;
-            PACKED(item4 + entries4[6], 0) = M_A6;
-            PACKED(item4 + entries4[7], 0) = M_A7;
-            PACKED(item4 + entries4[8], 0) = M_A8;
-            PACKED(item4 + entries4[9], 0) = M_A9;
-            PACKED(item4 + entries4[10], 0) = spread(0.0);
-            PACKED(item4 + entries4[11], 0) = M_A11;
-            PACKED(item4 + entries4[12], 0) = M_A12;
-            PACKED(item4 + entries4[13], 0) = M_A13;
-            PACKED(item4 + entries4[14], 0) = M_A14;
-            PACKED(item4 + entries4[15], 0) = M_A15;
-            PACKED(item4 + entries4[16], 0) = M_A16;
-            PACKED(item4 + entries4[17], 0) = spread(0.0);
-            PACKED(item4 + entries4[18], 0) = spread(0.0);
-            PACKED(item4 + entries4[19], 0) = M_A9;
-            PACKED(item4 + entries4[20], 0) = M_A15;
-            PACKED(item4 + entries4[21], 0) = M_A21;
-            PACKED(item4 + entries4[22], 0) = spread(0.0);
-            PACKED(item4 + entries4[23], 0) = spread(0.0);
-            PACKED(item4 + entries4[24], 0) = M_A4;
-            PACKED(item4 + entries4[25], 0) = spread(0.0);
-            PACKED(item4 + entries4[26], 0) = M_A16;
-            PACKED(item4 + entries4[27], 0) = spread(0.0);
-            PACKED(item4 + entries4[28], 0) = M_A21;
-            PACKED(item4 + entries4[29], 0) = spread(0.0);
-            PACKED(item4 + entries4[30], 0) = M_A5;
-            PACKED(item4 + entries4[31], 0) = M_A11;
-            PACKED(item4 + entries4[32], 0) = spread(0.0);
-            PACKED(item4 + entries4[33], 0) = spread(0.0);
-            PACKED(item4 + entries4[34], 0) = spread(0.0);
-            PACKED(item4 + entries4[35], 0) = M_A21;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item4, step4, 36, sizeof(double), copied.ahead);
+        const doubles result4[] = {
             M_A0,
             M_A1,
             M_A2,
@@ -2826,7 +2760,47 @@ CHASLES_INLINE void chasles_inertia_dyad_block_items(
             spread(0.0),
             spread(0.0),
             M_A21};
-            give_each(item4, entries4, step4, 36, all);
+        if (dense4) {
+            store_all(item4, step4, 36, result4);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
+            PACKED(item4 + entries4[6], 0) = result4[6];
+            PACKED(item4 + entries4[7], 0) = result4[7];
+            PACKED(item4 + entries4[8], 0) = result4[8];
+            PACKED(item4 + entries4[9], 0) = result4[9];
+            PACKED(item4 + entries4[10], 0) = result4[10];
+            PACKED(item4 + entries4[11], 0) = result4[11];
+            PACKED(item4 + entries4[12], 0) = result4[12];
+            PACKED(item4 + entries4[13], 0) = result4[13];
+            PACKED(item4 + entries4[14], 0) = result4[14];
+            PACKED(item4 + entries4[15], 0) = result4[15];
+            PACKED(item4 + entries4[16], 0) = result4[16];
+            PACKED(item4 + entries4[17], 0) = result4[17];
+            PACKED(item4 + entries4[18], 0) = result4[18];
+            PACKED(item4 + entries4[19], 0) = result4[19];
+            PACKED(item4 + entries4[20], 0) = result4[20];
+            PACKED(item4 + entries4[21], 0) = result4[21];
+            PACKED(item4 + entries4[22], 0) = result4[22];
+            PACKED(item4 + entries4[23], 0) = result4[23];
+            PACKED(item4 + entries4[24], 0) = result4[24];
+            PACKED(item4 + entries4[25], 0) = result4[25];
+            PACKED(item4 + entries4[26], 0) = result4[26];
+            PACKED(item4 + entries4[27], 0) = result4[27];
+            PACKED(item4 + entries4[28], 0) = result4[28];
+            PACKED(item4 + entries4[29], 0) = result4[29];
+            PACKED(item4 + entries4[30], 0) = result4[30];
+            PACKED(item4 + entries4[31], 0) = result4[31];
+            PACKED(item4 + entries4[32], 0) = result4[32];
+            PACKED(item4 + entries4[33], 0) = result4[33];
+            PACKED(item4 + entries4[34], 0) = result4[34];
+            PACKED(item4 + entries4[35], 0) = result4[35];
+        } else {
+            give_each(item4, entries4, step4, 36, result4);
         }
         stream_lines(&copied);
     }
@@ -2872,7 +2846,7 @@ CHASLES_INLINE void chasles_inertia_dyad_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 9);
+        prefetch(item0, 9, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -2902,11 +2876,11 @@ CHASLES_INLINE void chasles_inertia_dyad_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
         } else if (step2 == sizeof(float)) {
@@ -2922,7 +2896,7 @@ CHASLES_INLINE void chasles_inertia_dyad_blockf_items(
         }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
         } else if (step3 == sizeof(float)) {
@@ -2962,56 +2936,8 @@ CHASLES_INLINE void chasles_inertia_dyad_blockf_items(
         const floats M_A13 = I_C[7] - t8;
         const floats M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 36, sizeof(float));
-        if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, M_A0, M_A1, M_A2, spreadf(0.0f));
-            store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A6, M_A7);
-            store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
-            store_4f(item4 + 12 * sizeof(float), step4, M_A12, M_A13, M_A14, M_A15);
-            store_4f(item4 + 16 * sizeof(float), step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
-            store_4f(item4 + 20 * sizeof(float), step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
-            store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
-            store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
-            store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
-        } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = M_A0;
-            PACKEDF(item4 + entries4[1], 0) = M_A1;
-            PACKEDF(item4 + entries4[2], 0) = M_A2;
-            PACKEDF(item4 + entries4[3], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[4], 0) = M_A4;
-            PACKEDF(item4 + entries4[5], 0) = M_A5;
-            PACKEDF(item4 + entries4[6], 0) = M_A6;
-            PACKEDF(item4 + entries4[7], 0) = M_A7;
-            PACKEDF(item4 + entries4[8], 0) = M_A8;
-            PACKEDF(item4 + entries4[9], 0) = M_A9;
-            PACKEDF(item4 + entries4[10], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[11], 0) = M_A11;
-            PACKEDF(item4 + entries4[12], 0) = M_A12;
-            PACKEDF(item4 + entries4[13], 0) = M_A13;
-            PACKEDF(item4 + entries4[14], 0) = M_A14;
-            PACKEDF(item4 + entries4[15], 0) = M_A15;
-            PACKEDF(item4 + entries4[16], 0) = M_A16;
-            PACKEDF(item4 + entries4[17], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[18], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[19], 0) = M_A9;
-            PACKEDF(item4 + entries4[20], 0) = M_A15;
-            PACKEDF(item4 + entries4[21], 0) = M_A21;
-            PACKEDF(item4 + entries4[22], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[23], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[24], 0) = M_A4;
-            PACKEDF(item4 + entries4[25], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[26], 0) = M_A16;
-            PACKEDF(item4 + entries4[27], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[28], 0) = M_A21;
-            PACKEDF(item4 + entries4[29], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[30], 0) = M_A5;
-            PACKEDF(item4 + entries4[31], 0) = M_A11;
-            PACKEDF(item4 + entries4[32], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[33], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[34], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[35], 0) = M_A21;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item4, step4, 36, sizeof(float), copied.ahead);
+        const floats result4[] = {
             M_A0,
             M_A1,
             M_A2,
@@ -3048,7 +2974,47 @@ CHASLES_INLINE void chasles_inertia_dyad_blockf_items(
             spreadf(0.0f),
             spreadf(0.0f),
             M_A21};
-            give_eachf(item4, entries4, step4, 36, all);
+        if (dense4) {
+            store_allf(item4, step4, 36, result4);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
+            PACKEDF(item4 + entries4[6], 0) = result4[6];
+            PACKEDF(item4 + entries4[7], 0) = result4[7];
+            PACKEDF(item4 + entries4[8], 0) = result4[8];
+            PACKEDF(item4 + entries4[9], 0) = result4[9];
+            PACKEDF(item4 + entries4[10], 0) = result4[10];
+            PACKEDF(item4 + entries4[11], 0) = result4[11];
+            PACKEDF(item4 + entries4[12], 0) = result4[12];
+            PACKEDF(item4 + entries4[13], 0) = result4[13];
+            PACKEDF(item4 + entries4[14], 0) = result4[14];
+            PACKEDF(item4 + entries4[15], 0) = result4[15];
+            PACKEDF(item4 + entries4[16], 0) = result4[16];
+            PACKEDF(item4 + entries4[17], 0) = result4[17];
+            PACKEDF(item4 + entries4[18], 0) = result4[18];
+            PACKEDF(item4 + entries4[19], 0) = result4[19];
+            PACKEDF(item4 + entries4[20], 0) = result4[20];
+            PACKEDF(item4 + entries4[21], 0) = result4[21];
+            PACKEDF(item4 + entries4[22], 0) = result4[22];
+            PACKEDF(item4 + entries4[23], 0) = result4[23];
+            PACKEDF(item4 + entries4[24], 0) = result4[24];
+            PACKEDF(item4 + entries4[25], 0) = result4[25];
+            PACKEDF(item4 + entries4[26], 0) = result4[26];
+            PACKEDF(item4 + entries4[27], 0) = result4[27];
+            PACKEDF(item4 + entries4[28], 0) = result4[28];
+            PACKEDF(item4 + entries4[29], 0) = result4[29];
+            PACKEDF(item4 + entries4[30], 0) = result4[30];
+            PACKEDF(item4 + entries4[31], 0) = result4[31];
+            PACKEDF(item4 + entries4[32], 0) = result4[32];
+            PACKEDF(item4 + entries4[33], 0) = result4[33];
+            PACKEDF(item4 + entries4[34], 0) = result4[34];
+            PACKEDF(item4 + entries4[35], 0) = result4[35];
+        } else {
+            give_eachf(item4, entries4, step4, 36, result4);
         }
         stream_lines(&copied);
     }
@@ -3094,7 +3060,7 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
             load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
@@ -3117,11 +3083,11 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_block_items(
         }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1(item1, step1, &m);
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3(item2 + 0 * sizeof(double), step2, &c[0]);
         } else if (step2 == sizeof(double)) {
@@ -3137,7 +3103,7 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_block_items(
         }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3(item3 + 0 * sizeof(double), step3, &a[0]);
         } else if (step3 == sizeof(double)) {
@@ -3171,56 +3137,8 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_block_items(
         const doubles M_A8 = I_C[4] - t2 * M_A4;
         const doubles M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, step4, 36, sizeof(double));
-        if (dense4) {
-            store_4(item4 + 0 * sizeof(double), step4, M_A0, M_A1, M_A2, spread(0.0));
-            store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A1, M_A7);
-            store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
-            store_4(item4 + 12 * sizeof(double), step4, M_A2, M_A8, M_A14, M_A15);
-            store_4(item4 + 16 * sizeof(double), step4, M_A16, spread(0.0), spread(0.0), M_A9);
-            store_4(item4 + 20 * sizeof(double), step4, M_A15, M_A21, spread(0.0), spread(0.0));
-            store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
-            store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
-            store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
-        } else if (step4 == sizeof(double)) {
-            PACKED(item4 + entries4[0], 0) = M_A0;
-            PACKED(item4 + entries4[1], 0) = M_A1;
-            PACKED(item4 + entries4[2], 0) = M_A2;
-            PACKED(item4 + entries4[3], 0) = spread(0.0);
-            PACKED(item4 + entries4[4], 0) = M_A4;
-            PACKED(item4 + entries4[5], 0) = M_A5;
-            PACKED(item4 + entries4[6], 0) = M_A1;
-            PACKED(item4 + entries4[7], 0) = M_A7;
-            PACKED(item4 + entries4[8], 0) = M_A8;
-            PACKED(item4 + entries4[9], 0) = M_A9;
-            PACKED(item4 + entries4[10], 0) = spread(0.0);
-            PACKED(item4 + entries4[11], 0) = M_A11;
-            PACKED(item4 + entries4[12], 0) = M_A2;
-            PACKED(item4 + entries4[13], 0) = M_A8;
-            PACKED(item4 + entries4[14], 0) = M_A14;
-            PACKED(item4 + entries4[15], 0) = M_A15;
-            PACKED(item4 + entries4[16], 0) = M_A16;
-            PACKED(item4 + entries4[17], 0) = spread(0.0);
-            PACKED(item4 + entries4[18], 0) = spread(0.0);
-            PACKED(item4 + entries4[19], 0) = M_A9;
-            PACKED(item4 + entries4[20], 0) = M_A15;
-            PACKED(item4 + entries4[21], 0) = M_A21;
-            PACKED(item4 + entries4[22], 0) = spread(0.0);
-            PACKED(item4 + entries4[23], 0) = spread(0.0);
-            PACKED(item4 + entries4[24], 0) = M_A4;
-            PACKED(item4 + entries4[25], 0) = spread(0.0);
-            PACKED(item4 + entries4[26], 0) = M_A16;
-            PACKED(item4 + entries4[27], 0) = spread(0.0);
-            PACKED(item4 + entries4[28], 0) = M_A21;
-            PACKED(item4 + entries4[29], 0) = spread(0.0);
-            PACKED(item4 + entries4[30], 0) = M_A5;
-            PACKED(item4 + entries4[31], 0) = M_A11;
-            PACKED(item4 + entries4[32], 0) = spread(0.0);
-            PACKED(item4 + entries4[33], 0) = spread(0.0);
-            PACKED(item4 + entries4[34], 0) = spread(0.0);
-            PACKED(item4 + entries4[35], 0) = M_A21;
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item4, step4, 36, sizeof(double), copied.ahead);
+        const doubles result4[] = {
             M_A0,
             M_A1,
             M_A2,
@@ -3257,7 +3175,47 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_block_items(
             spread(0.0),
             spread(0.0),
             M_A21};
-            give_each(item4, entries4, step4, 36, all);
+        if (dense4) {
+            store_all(item4, step4, 36, result4);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = result4[0];
+            PACKED(item4 + entries4[1], 0) = result4[1];
+            PACKED(item4 + entries4[2], 0) = result4[2];
+            PACKED(item4 + entries4[3], 0) = result4[3];
+            PACKED(item4 + entries4[4], 0) = result4[4];
+            PACKED(item4 + entries4[5], 0) = result4[5];
+            PACKED(item4 + entries4[6], 0) = result4[6];
+            PACKED(item4 + entries4[7], 0) = result4[7];
+            PACKED(item4 + entries4[8], 0) = result4[8];
+            PACKED(item4 + entries4[9], 0) = result4[9];
+            PACKED(item4 + entries4[10], 0) = result4[10];
+            PACKED(item4 + entries4[11], 0) = result4[11];
+            PACKED(item4 + entries4[12], 0) = result4[12];
+            PACKED(item4 + entries4[13], 0) = result4[13];
+            PACKED(item4 + entries4[14], 0) = result4[14];
+            PACKED(item4 + entries4[15], 0) = result4[15];
+            PACKED(item4 + entries4[16], 0) = result4[16];
+            PACKED(item4 + entries4[17], 0) = result4[17];
+            PACKED(item4 + entries4[18], 0) = result4[18];
+            PACKED(item4 + entries4[19], 0) = result4[19];
+            PACKED(item4 + entries4[20], 0) = result4[20];
+            PACKED(item4 + entries4[21], 0) = result4[21];
+            PACKED(item4 + entries4[22], 0) = result4[22];
+            PACKED(item4 + entries4[23], 0) = result4[23];
+            PACKED(item4 + entries4[24], 0) = result4[24];
+            PACKED(item4 + entries4[25], 0) = result4[25];
+            PACKED(item4 + entries4[26], 0) = result4[26];
+            PACKED(item4 + entries4[27], 0) = result4[27];
+            PACKED(item4 + entries4[28], 0) = result4[28];
+            PACKED(item4 + entries4[29], 0) = result4[29];
+            PACKED(item4 + entries4[30], 0) = result4[30];
+            PACKED(item4 + entries4[31], 0) = result4[31];
+            PACKED(item4 + entries4[32], 0) = result4[32];
+            PACKED(item4 + entries4[33], 0) = result4[33];
+            PACKED(item4 + entries4[34], 0) = result4[34];
+            PACKED(item4 + entries4[35], 0) = result4[35];
+        } else {
+            give_each(item4, entries4, step4, 36, result4);
         }
         stream_lines(&copied);
     }
@@ -3303,7 +3261,7 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 6);
+        prefetch(item0, 6, copied.ahead);
         if (dense0) {
             load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
             load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
@@ -3326,11 +3284,11 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_blockf_items(
         }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 1);
+        prefetch(item1, 1, copied.ahead);
         load_1f(item1, step1, &m);
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, 3);
+        prefetch(item2, 3, copied.ahead);
         if (dense2) {
             load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
         } else if (step2 == sizeof(float)) {
@@ -3346,7 +3304,7 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_blockf_items(
         }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, 3);
+        prefetch(item3, 3, copied.ahead);
         if (dense3) {
             load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
         } else if (step3 == sizeof(float)) {
@@ -3380,56 +3338,8 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_blockf_items(
         const floats M_A8 = I_C[4] - t2 * M_A4;
         const floats M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, step4, 36, sizeof(float));
-        if (dense4) {
-            store_4f(item4 + 0 * sizeof(float), step4, M_A0, M_A1, M_A2, spreadf(0.0f));
-            store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A1, M_A7);
-            store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
-            store_4f(item4 + 12 * sizeof(float), step4, M_A2, M_A8, M_A14, M_A15);
-            store_4f(item4 + 16 * sizeof(float), step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
-            store_4f(item4 + 20 * sizeof(float), step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
-            store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
-            store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
-            store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
-        } else if (step4 == sizeof(float)) {
-            PACKEDF(item4 + entries4[0], 0) = M_A0;
-            PACKEDF(item4 + entries4[1], 0) = M_A1;
-            PACKEDF(item4 + entries4[2], 0) = M_A2;
-            PACKEDF(item4 + entries4[3], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[4], 0) = M_A4;
-            PACKEDF(item4 + entries4[5], 0) = M_A5;
-            PACKEDF(item4 + entries4[6], 0) = M_A1;
-            PACKEDF(item4 + entries4[7], 0) = M_A7;
-            PACKEDF(item4 + entries4[8], 0) = M_A8;
-            PACKEDF(item4 + entries4[9], 0) = M_A9;
-            PACKEDF(item4 + entries4[10], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[11], 0) = M_A11;
-            PACKEDF(item4 + entries4[12], 0) = M_A2;
-            PACKEDF(item4 + entries4[13], 0) = M_A8;
-            PACKEDF(item4 + entries4[14], 0) = M_A14;
-            PACKEDF(item4 + entries4[15], 0) = M_A15;
-            PACKEDF(item4 + entries4[16], 0) = M_A16;
-            PACKEDF(item4 + entries4[17], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[18], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[19], 0) = M_A9;
-            PACKEDF(item4 + entries4[20], 0) = M_A15;
-            PACKEDF(item4 + entries4[21], 0) = M_A21;
-            PACKEDF(item4 + entries4[22], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[23], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[24], 0) = M_A4;
-            PACKEDF(item4 + entries4[25], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[26], 0) = M_A16;
-            PACKEDF(item4 + entries4[27], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[28], 0) = M_A21;
-            PACKEDF(item4 + entries4[29], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[30], 0) = M_A5;
-            PACKEDF(item4 + entries4[31], 0) = M_A11;
-            PACKEDF(item4 + entries4[32], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[33], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[34], 0) = spreadf(0.0f);
-            PACKEDF(item4 + entries4[35], 0) = M_A21;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item4, step4, 36, sizeof(float), copied.ahead);
+        const floats result4[] = {
             M_A0,
             M_A1,
             M_A2,
@@ -3466,7 +3376,47 @@ CHASLES_INLINE void chasles_inertia_dyad_sym6_blockf_items(
             spreadf(0.0f),
             spreadf(0.0f),
             M_A21};
-            give_eachf(item4, entries4, step4, 36, all);
+        if (dense4) {
+            store_allf(item4, step4, 36, result4);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = result4[0];
+            PACKEDF(item4 + entries4[1], 0) = result4[1];
+            PACKEDF(item4 + entries4[2], 0) = result4[2];
+            PACKEDF(item4 + entries4[3], 0) = result4[3];
+            PACKEDF(item4 + entries4[4], 0) = result4[4];
+            PACKEDF(item4 + entries4[5], 0) = result4[5];
+            PACKEDF(item4 + entries4[6], 0) = result4[6];
+            PACKEDF(item4 + entries4[7], 0) = result4[7];
+            PACKEDF(item4 + entries4[8], 0) = result4[8];
+            PACKEDF(item4 + entries4[9], 0) = result4[9];
+            PACKEDF(item4 + entries4[10], 0) = result4[10];
+            PACKEDF(item4 + entries4[11], 0) = result4[11];
+            PACKEDF(item4 + entries4[12], 0) = result4[12];
+            PACKEDF(item4 + entries4[13], 0) = result4[13];
+            PACKEDF(item4 + entries4[14], 0) = result4[14];
+            PACKEDF(item4 + entries4[15], 0) = result4[15];
+            PACKEDF(item4 + entries4[16], 0) = result4[16];
+            PACKEDF(item4 + entries4[17], 0) = result4[17];
+            PACKEDF(item4 + entries4[18], 0) = result4[18];
+            PACKEDF(item4 + entries4[19], 0) = result4[19];
+            PACKEDF(item4 + entries4[20], 0) = result4[20];
+            PACKEDF(item4 + entries4[21], 0) = result4[21];
+            PACKEDF(item4 + entries4[22], 0) = result4[22];
+            PACKEDF(item4 + entries4[23], 0) = result4[23];
+            PACKEDF(item4 + entries4[24], 0) = result4[24];
+            PACKEDF(item4 + entries4[25], 0) = result4[25];
+            PACKEDF(item4 + entries4[26], 0) = result4[26];
+            PACKEDF(item4 + entries4[27], 0) = result4[27];
+            PACKEDF(item4 + entries4[28], 0) = result4[28];
+            PACKEDF(item4 + entries4[29], 0) = result4[29];
+            PACKEDF(item4 + entries4[30], 0) = result4[30];
+            PACKEDF(item4 + entries4[31], 0) = result4[31];
+            PACKEDF(item4 + entries4[32], 0) = result4[32];
+            PACKEDF(item4 + entries4[33], 0) = result4[33];
+            PACKEDF(item4 + entries4[34], 0) = result4[34];
+            PACKEDF(item4 + entries4[35], 0) = result4[35];
+        } else {
+            give_eachf(item4, entries4, step4, 36, result4);
         }
         stream_lines(&copied);
     }

@@ -33,7 +33,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -74,24 +74,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyx_block_items(
         const doubles Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -121,7 +119,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -162,24 +160,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyx_blockf_items(
         const floats Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -209,7 +205,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -238,24 +234,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyx_block_items(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(1.0);
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -285,7 +279,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -314,23 +308,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyx_blockf_items(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(1.0f),
             spreadf(0.0f),
             W2,
@@ -340,7 +319,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyx_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -370,7 +362,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -399,23 +391,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_block_items(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = spread(1.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             spread(0.0),
             spread(1.0),
@@ -425,7 +402,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -455,7 +445,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -484,23 +474,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_blockf_items(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             spreadf(0.0f),
             spreadf(1.0f),
@@ -510,7 +485,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyx_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -544,7 +532,7 @@ CHASLES_INLINE void chasles_euler_rates_xyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -565,7 +553,7 @@ CHASLES_INLINE void chasles_euler_rates_xyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -588,16 +576,16 @@ CHASLES_INLINE void chasles_euler_rates_xyx_block_items(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -631,7 +619,7 @@ CHASLES_INLINE void chasles_euler_rates_xyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -652,7 +640,7 @@ CHASLES_INLINE void chasles_euler_rates_xyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -676,16 +664,16 @@ CHASLES_INLINE void chasles_euler_rates_xyx_blockf_items(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -715,7 +703,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -756,24 +744,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyz_block_items(
         const doubles Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -803,7 +789,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -844,24 +830,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xyz_blockf_items(
         const floats Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -891,7 +875,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -920,24 +904,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyz_block_items(
         const doubles W5 = -(W7 * cos_angles_1);
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(1.0);
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -967,7 +949,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -996,23 +978,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyz_blockf_items(
         const floats W5 = -(W7 * cos_angles_1);
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(1.0f),
             spreadf(0.0f),
             W2,
@@ -1022,7 +989,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xyz_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1052,7 +1032,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -1081,23 +1061,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_block_items(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = spread(1.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -1107,7 +1072,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_block_items(
             W_body6,
             spread(0.0),
             spread(1.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1137,7 +1115,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -1166,23 +1144,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_blockf_items(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -1192,7 +1155,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xyz_blockf_items(
             W_body6,
             spreadf(0.0f),
             spreadf(1.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1226,7 +1202,7 @@ CHASLES_INLINE void chasles_euler_rates_xyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -1247,7 +1223,7 @@ CHASLES_INLINE void chasles_euler_rates_xyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -1270,16 +1246,16 @@ CHASLES_INLINE void chasles_euler_rates_xyz_block_items(
         const doubles theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -1313,7 +1289,7 @@ CHASLES_INLINE void chasles_euler_rates_xyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -1334,7 +1310,7 @@ CHASLES_INLINE void chasles_euler_rates_xyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -1358,16 +1334,16 @@ CHASLES_INLINE void chasles_euler_rates_xyz_blockf_items(
         const floats theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -1397,7 +1373,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -1438,24 +1414,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzx_block_items(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1485,7 +1459,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -1526,24 +1500,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzx_blockf_items(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1573,7 +1545,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -1602,24 +1574,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzx_block_items(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(1.0);
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1649,7 +1619,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -1678,23 +1648,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzx_blockf_items(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(1.0f),
             spreadf(0.0f),
             W2,
@@ -1704,7 +1659,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzx_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1734,7 +1702,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -1763,23 +1731,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_block_items(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = spread(1.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             spread(0.0),
             spread(1.0),
@@ -1789,7 +1742,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1819,7 +1785,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -1848,23 +1814,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_blockf_items(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             spreadf(0.0f),
             spreadf(1.0f),
@@ -1874,7 +1825,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzx_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -1908,7 +1872,7 @@ CHASLES_INLINE void chasles_euler_rates_xzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -1929,7 +1893,7 @@ CHASLES_INLINE void chasles_euler_rates_xzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -1952,16 +1916,16 @@ CHASLES_INLINE void chasles_euler_rates_xzx_block_items(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -1995,7 +1959,7 @@ CHASLES_INLINE void chasles_euler_rates_xzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -2016,7 +1980,7 @@ CHASLES_INLINE void chasles_euler_rates_xzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -2040,16 +2004,16 @@ CHASLES_INLINE void chasles_euler_rates_xzx_blockf_items(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -2079,7 +2043,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -2120,24 +2084,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzy_block_items(
         const doubles Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2167,7 +2129,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -2208,24 +2170,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_xzy_blockf_items(
         const floats Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2255,7 +2215,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -2284,24 +2244,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzy_block_items(
         const doubles W5 = W7 * cos_angles_1;
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(1.0);
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2331,7 +2289,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -2360,23 +2318,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzy_blockf_items(
         const floats W5 = W7 * cos_angles_1;
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(1.0f),
             spreadf(0.0f),
             W2,
@@ -2386,7 +2329,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_xzy_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2416,7 +2372,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -2445,23 +2401,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_block_items(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = spread(1.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -2471,7 +2412,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2501,7 +2455,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -2530,23 +2484,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_blockf_items(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -2556,7 +2495,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_xzy_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2590,7 +2542,7 @@ CHASLES_INLINE void chasles_euler_rates_xzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -2611,7 +2563,7 @@ CHASLES_INLINE void chasles_euler_rates_xzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -2634,16 +2586,16 @@ CHASLES_INLINE void chasles_euler_rates_xzy_block_items(
         const doubles theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -2677,7 +2629,7 @@ CHASLES_INLINE void chasles_euler_rates_xzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -2698,7 +2650,7 @@ CHASLES_INLINE void chasles_euler_rates_xzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -2722,16 +2674,16 @@ CHASLES_INLINE void chasles_euler_rates_xzy_blockf_items(
         const floats theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -2761,7 +2713,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -2802,24 +2754,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxy_block_items(
         const doubles Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2849,7 +2799,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -2890,24 +2840,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxy_blockf_items(
         const floats Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -2937,7 +2885,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -2966,24 +2914,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxy_block_items(
         const doubles W2 = sin_angles_0 * sin_angles_1;
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(1.0);
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3013,7 +2959,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -3042,23 +2988,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxy_blockf_items(
         const floats W2 = sin_angles_0 * sin_angles_1;
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -3068,7 +2999,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxy_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3098,7 +3042,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -3127,23 +3071,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_block_items(
         const doubles W_body0 = sin_angles_1 * W_body7;
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = spread(1.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -3153,7 +3082,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3183,7 +3125,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -3212,23 +3154,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_blockf_items(
         const floats W_body0 = sin_angles_1 * W_body7;
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -3238,7 +3165,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxy_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3272,7 +3212,7 @@ CHASLES_INLINE void chasles_euler_rates_yxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -3293,7 +3233,7 @@ CHASLES_INLINE void chasles_euler_rates_yxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -3316,16 +3256,16 @@ CHASLES_INLINE void chasles_euler_rates_yxy_block_items(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -3359,7 +3299,7 @@ CHASLES_INLINE void chasles_euler_rates_yxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -3380,7 +3320,7 @@ CHASLES_INLINE void chasles_euler_rates_yxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -3404,16 +3344,16 @@ CHASLES_INLINE void chasles_euler_rates_yxy_blockf_items(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -3443,7 +3383,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -3484,24 +3424,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxz_block_items(
         const doubles Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3531,7 +3469,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -3572,24 +3510,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yxz_blockf_items(
         const floats Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3619,7 +3555,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -3648,24 +3584,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxz_block_items(
         const doubles W2 = sin_angles_0 * cos_angles_1;
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(1.0);
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3695,7 +3629,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -3724,23 +3658,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxz_blockf_items(
         const floats W2 = sin_angles_0 * cos_angles_1;
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -3750,7 +3669,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yxz_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3780,7 +3712,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -3809,23 +3741,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_block_items(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = spread(1.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -3835,7 +3752,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_block_items(
             W_body6,
             spread(0.0),
             spread(1.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3865,7 +3795,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -3894,23 +3824,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_blockf_items(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -3920,7 +3835,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yxz_blockf_items(
             W_body6,
             spreadf(0.0f),
             spreadf(1.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -3954,7 +3882,7 @@ CHASLES_INLINE void chasles_euler_rates_yxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -3975,7 +3903,7 @@ CHASLES_INLINE void chasles_euler_rates_yxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -3998,16 +3926,16 @@ CHASLES_INLINE void chasles_euler_rates_yxz_block_items(
         const doubles theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -4041,7 +3969,7 @@ CHASLES_INLINE void chasles_euler_rates_yxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -4062,7 +3990,7 @@ CHASLES_INLINE void chasles_euler_rates_yxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -4086,16 +4014,16 @@ CHASLES_INLINE void chasles_euler_rates_yxz_blockf_items(
         const floats theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -4125,7 +4053,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -4166,24 +4094,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzx_block_items(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4213,7 +4139,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -4254,24 +4180,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzx_blockf_items(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4301,7 +4225,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -4330,24 +4254,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzx_block_items(
         const doubles W2 = W7 * cos_angles_1;
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(1.0);
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4377,7 +4299,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -4406,23 +4328,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzx_blockf_items(
         const floats W2 = W7 * cos_angles_1;
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -4432,7 +4339,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzx_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4462,7 +4382,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -4491,23 +4411,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_block_items(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = spread(1.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             spread(0.0),
             spread(1.0),
@@ -4517,7 +4422,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4547,7 +4465,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -4576,23 +4494,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_blockf_items(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             spreadf(0.0f),
             spreadf(1.0f),
@@ -4602,7 +4505,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzx_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4636,7 +4552,7 @@ CHASLES_INLINE void chasles_euler_rates_yzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -4657,7 +4573,7 @@ CHASLES_INLINE void chasles_euler_rates_yzx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -4680,16 +4596,16 @@ CHASLES_INLINE void chasles_euler_rates_yzx_block_items(
         const doubles theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -4723,7 +4639,7 @@ CHASLES_INLINE void chasles_euler_rates_yzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -4744,7 +4660,7 @@ CHASLES_INLINE void chasles_euler_rates_yzx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -4768,16 +4684,16 @@ CHASLES_INLINE void chasles_euler_rates_yzx_blockf_items(
         const floats theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -4807,7 +4723,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -4848,24 +4764,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzy_block_items(
         const doubles Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4895,7 +4809,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -4936,24 +4850,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_yzy_blockf_items(
         const floats Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -4983,7 +4895,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -5012,24 +4924,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzy_block_items(
         const doubles W2 = -(W7 * sin_angles_1);
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(1.0);
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(0.0);
-            PACKED(item1 + entries1[7], 0) = W7;
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5059,7 +4969,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -5088,23 +4998,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzy_blockf_items(
         const floats W2 = -(W7 * sin_angles_1);
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[7], 0) = W7;
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -5114,7 +5009,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_yzy_blockf_items(
             spreadf(0.0f),
             W7,
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5144,7 +5052,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -5173,23 +5081,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_block_items(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = spread(1.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -5199,7 +5092,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5229,7 +5135,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -5258,23 +5164,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_blockf_items(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -5284,7 +5175,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_yzy_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5318,7 +5222,7 @@ CHASLES_INLINE void chasles_euler_rates_yzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -5339,7 +5243,7 @@ CHASLES_INLINE void chasles_euler_rates_yzy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -5362,16 +5266,16 @@ CHASLES_INLINE void chasles_euler_rates_yzy_block_items(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -5405,7 +5309,7 @@ CHASLES_INLINE void chasles_euler_rates_yzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -5426,7 +5330,7 @@ CHASLES_INLINE void chasles_euler_rates_yzy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -5450,16 +5354,16 @@ CHASLES_INLINE void chasles_euler_rates_yzy_blockf_items(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -5489,7 +5393,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -5530,24 +5434,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxy_block_items(
         const doubles Q6 = -(cos_angles_1 * sin_angles_2);
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5577,7 +5479,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -5618,24 +5520,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxy_blockf_items(
         const floats Q6 = -(cos_angles_1 * sin_angles_2);
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5665,7 +5565,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -5694,24 +5594,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxy_block_items(
         const doubles W2 = -(W4 * cos_angles_1);
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(1.0);
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5741,7 +5639,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -5770,23 +5668,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxy_blockf_items(
         const floats W2 = -(W4 * cos_angles_1);
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -5796,7 +5679,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxy_blockf_items(
             spreadf(1.0f),
             spreadf(0.0f),
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5826,7 +5722,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -5855,23 +5751,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_block_items(
         const doubles W_body0 = -(cos_angles_1 * W_body7);
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = spread(0.0);
-            PACKED(item1 + entries1[5], 0) = spread(1.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -5881,7 +5762,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -5911,7 +5805,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -5940,23 +5834,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_blockf_items(
         const floats W_body0 = -(cos_angles_1 * W_body7);
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -5966,7 +5845,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxy_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6000,7 +5892,7 @@ CHASLES_INLINE void chasles_euler_rates_zxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -6021,7 +5913,7 @@ CHASLES_INLINE void chasles_euler_rates_zxy_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -6044,16 +5936,16 @@ CHASLES_INLINE void chasles_euler_rates_zxy_block_items(
         const doubles theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -6087,7 +5979,7 @@ CHASLES_INLINE void chasles_euler_rates_zxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -6108,7 +6000,7 @@ CHASLES_INLINE void chasles_euler_rates_zxy_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -6132,16 +6024,16 @@ CHASLES_INLINE void chasles_euler_rates_zxy_blockf_items(
         const floats theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -6171,7 +6063,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -6212,24 +6104,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxz_block_items(
         const doubles Q6 = sin_angles_1 * sin_angles_2;
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6259,7 +6149,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -6300,24 +6190,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zxz_blockf_items(
         const floats Q6 = sin_angles_1 * sin_angles_2;
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6347,7 +6235,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -6376,24 +6264,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxz_block_items(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(1.0);
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6423,7 +6309,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -6452,23 +6338,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxz_blockf_items(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -6478,7 +6349,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zxz_blockf_items(
             spreadf(1.0f),
             spreadf(0.0f),
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6508,7 +6392,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -6537,23 +6421,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_block_items(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = spread(1.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -6563,7 +6432,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_block_items(
             W_body6,
             spread(0.0),
             spread(1.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6593,7 +6475,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -6622,23 +6504,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_blockf_items(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -6648,7 +6515,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zxz_blockf_items(
             W_body6,
             spreadf(0.0f),
             spreadf(1.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6682,7 +6562,7 @@ CHASLES_INLINE void chasles_euler_rates_zxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -6703,7 +6583,7 @@ CHASLES_INLINE void chasles_euler_rates_zxz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -6726,16 +6606,16 @@ CHASLES_INLINE void chasles_euler_rates_zxz_block_items(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -6769,7 +6649,7 @@ CHASLES_INLINE void chasles_euler_rates_zxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -6790,7 +6670,7 @@ CHASLES_INLINE void chasles_euler_rates_zxz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -6814,16 +6694,16 @@ CHASLES_INLINE void chasles_euler_rates_zxz_blockf_items(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -6853,7 +6733,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -6894,24 +6774,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyx_block_items(
         const doubles Q7 = cos_angles_1 * sin_angles_2;
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -6941,7 +6819,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -6982,24 +6860,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyx_blockf_items(
         const floats Q7 = cos_angles_1 * sin_angles_2;
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7029,7 +6905,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -7058,24 +6934,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyx_block_items(
         const doubles W2 = W4 * cos_angles_1;
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(1.0);
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7105,7 +6979,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -7134,23 +7008,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyx_blockf_items(
         const floats W2 = W4 * cos_angles_1;
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -7160,7 +7019,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyx_blockf_items(
             spreadf(1.0f),
             spreadf(0.0f),
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7190,7 +7062,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -7219,23 +7091,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_block_items(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = spread(0.0);
-            PACKED(item1 + entries1[2], 0) = spread(1.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = W_body7;
-            PACKED(item1 + entries1[8], 0) = spread(0.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             spread(0.0),
             spread(1.0),
@@ -7245,7 +7102,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_block_items(
             W_body6,
             W_body7,
             spread(0.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7275,7 +7145,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -7304,23 +7174,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_blockf_items(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = W_body7;
-            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             spreadf(0.0f),
             spreadf(1.0f),
@@ -7330,7 +7185,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyx_blockf_items(
             W_body6,
             W_body7,
             spreadf(0.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7364,7 +7232,7 @@ CHASLES_INLINE void chasles_euler_rates_zyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -7385,7 +7253,7 @@ CHASLES_INLINE void chasles_euler_rates_zyx_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -7408,16 +7276,16 @@ CHASLES_INLINE void chasles_euler_rates_zyx_block_items(
         const doubles theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -7451,7 +7319,7 @@ CHASLES_INLINE void chasles_euler_rates_zyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -7472,7 +7340,7 @@ CHASLES_INLINE void chasles_euler_rates_zyx_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -7496,16 +7364,16 @@ CHASLES_INLINE void chasles_euler_rates_zyx_blockf_items(
         const floats theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -7535,7 +7403,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -7576,24 +7444,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyz_block_items(
         const doubles Q6 = -(sin_angles_1 * cos_angles_2);
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
-            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-            store_1(item1 + 8 * sizeof(double), step1, Q8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = Q0;
-            PACKED(item1 + entries1[1], 0) = Q1;
-            PACKED(item1 + entries1[2], 0) = Q2;
-            PACKED(item1 + entries1[3], 0) = Q3;
-            PACKED(item1 + entries1[4], 0) = Q4;
-            PACKED(item1 + entries1[5], 0) = Q5;
-            PACKED(item1 + entries1[6], 0) = Q6;
-            PACKED(item1 + entries1[7], 0) = Q7;
-            PACKED(item1 + entries1[8], 0) = Q8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7623,7 +7489,7 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -7664,24 +7530,22 @@ CHASLES_INLINE void chasles_rotation_from_euler_zyz_blockf_items(
         const floats Q6 = -(sin_angles_1 * cos_angles_2);
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
         if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
-            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+            store_allf(item1, step1, 9, result1);
         } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = Q0;
-            PACKEDF(item1 + entries1[1], 0) = Q1;
-            PACKEDF(item1 + entries1[2], 0) = Q2;
-            PACKEDF(item1 + entries1[3], 0) = Q3;
-            PACKEDF(item1 + entries1[4], 0) = Q4;
-            PACKEDF(item1 + entries1[5], 0) = Q5;
-            PACKEDF(item1 + entries1[6], 0) = Q6;
-            PACKEDF(item1 + entries1[7], 0) = Q7;
-            PACKEDF(item1 + entries1[8], 0) = Q8;
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
         } else {
-            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
-            give_eachf(item1, entries1, step1, 9, all);
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7711,7 +7575,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -7740,24 +7604,22 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyz_block_items(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
         if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
-            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, W8);
+            store_all(item1, step1, 9, result1);
         } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = spread(0.0);
-            PACKED(item1 + entries1[1], 0) = W1;
-            PACKED(item1 + entries1[2], 0) = W2;
-            PACKED(item1 + entries1[3], 0) = spread(0.0);
-            PACKED(item1 + entries1[4], 0) = W4;
-            PACKED(item1 + entries1[5], 0) = W5;
-            PACKED(item1 + entries1[6], 0) = spread(1.0);
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = W8;
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
         } else {
-            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
-            give_each(item1, entries1, step1, 9, all);
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7787,7 +7649,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -7816,23 +7678,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyz_blockf_items(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, W8);
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[1], 0) = W1;
-            PACKEDF(item1 + entries1[2], 0) = W2;
-            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[4], 0) = W4;
-            PACKEDF(item1 + entries1[5], 0) = W5;
-            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = W8;
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             spreadf(0.0f),
             W1,
             W2,
@@ -7842,7 +7689,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_zyz_blockf_items(
             spreadf(1.0f),
             spreadf(0.0f),
             W8};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7872,7 +7732,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         } else if (step0 == sizeof(double)) {
@@ -7901,23 +7761,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_block_items(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(double));
-        if (dense1) {
-            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
-            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
-        } else if (step1 == sizeof(double)) {
-            PACKED(item1 + entries1[0], 0) = W_body0;
-            PACKED(item1 + entries1[1], 0) = W_body1;
-            PACKED(item1 + entries1[2], 0) = spread(0.0);
-            PACKED(item1 + entries1[3], 0) = W_body3;
-            PACKED(item1 + entries1[4], 0) = W_body4;
-            PACKED(item1 + entries1[5], 0) = spread(0.0);
-            PACKED(item1 + entries1[6], 0) = W_body6;
-            PACKED(item1 + entries1[7], 0) = spread(0.0);
-            PACKED(item1 + entries1[8], 0) = spread(1.0);
-        } else {
-            const doubles all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(double), copied.ahead);
+        const doubles result1[] = {
             W_body0,
             W_body1,
             spread(0.0),
@@ -7927,7 +7772,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_block_items(
             W_body6,
             spread(0.0),
             spread(1.0)};
-            give_each(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_all(item1, step1, 9, result1);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = result1[0];
+            PACKED(item1 + entries1[1], 0) = result1[1];
+            PACKED(item1 + entries1[2], 0) = result1[2];
+            PACKED(item1 + entries1[3], 0) = result1[3];
+            PACKED(item1 + entries1[4], 0) = result1[4];
+            PACKED(item1 + entries1[5], 0) = result1[5];
+            PACKED(item1 + entries1[6], 0) = result1[6];
+            PACKED(item1 + entries1[7], 0) = result1[7];
+            PACKED(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_each(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -7957,7 +7815,7 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         } else if (step0 == sizeof(float)) {
@@ -7986,23 +7844,8 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_blockf_items(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, step1, 9, sizeof(float));
-        if (dense1) {
-            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
-        } else if (step1 == sizeof(float)) {
-            PACKEDF(item1 + entries1[0], 0) = W_body0;
-            PACKEDF(item1 + entries1[1], 0) = W_body1;
-            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[3], 0) = W_body3;
-            PACKEDF(item1 + entries1[4], 0) = W_body4;
-            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[6], 0) = W_body6;
-            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
-            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
-        } else {
-            const floats all[] = {
+        prefetch_to_write(item1, step1, 9, sizeof(float), copied.ahead);
+        const floats result1[] = {
             W_body0,
             W_body1,
             spreadf(0.0f),
@@ -8012,7 +7855,20 @@ CHASLES_INLINE void chasles_euler_rate_matrix_body_zyz_blockf_items(
             W_body6,
             spreadf(0.0f),
             spreadf(1.0f)};
-            give_eachf(item1, entries1, step1, 9, all);
+        if (dense1) {
+            store_allf(item1, step1, 9, result1);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = result1[0];
+            PACKEDF(item1 + entries1[1], 0) = result1[1];
+            PACKEDF(item1 + entries1[2], 0) = result1[2];
+            PACKEDF(item1 + entries1[3], 0) = result1[3];
+            PACKEDF(item1 + entries1[4], 0) = result1[4];
+            PACKEDF(item1 + entries1[5], 0) = result1[5];
+            PACKEDF(item1 + entries1[6], 0) = result1[6];
+            PACKEDF(item1 + entries1[7], 0) = result1[7];
+            PACKEDF(item1 + entries1[8], 0) = result1[8];
+        } else {
+            give_eachf(item1, entries1, step1, 9, result1);
         }
         stream_lines(&copied);
     }
@@ -8046,7 +7902,7 @@ CHASLES_INLINE void chasles_euler_rates_zyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
         } else if (step0 == sizeof(double)) {
@@ -8067,7 +7923,7 @@ CHASLES_INLINE void chasles_euler_rates_zyz_block_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
         } else if (step1 == sizeof(double)) {
@@ -8090,16 +7946,16 @@ CHASLES_INLINE void chasles_euler_rates_zyz_block_items(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(double));
+        prefetch_to_write(item2, step2, 3, sizeof(double), copied.ahead);
+        const doubles result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_all(item2, step2, 3, result2);
         } else if (step2 == sizeof(double)) {
-            PACKED(item2 + entries2[0], 0) = theta_dot0;
-            PACKED(item2 + entries2[1], 0) = theta_dot1;
-            PACKED(item2 + entries2[2], 0) = theta_dot2;
+            PACKED(item2 + entries2[0], 0) = result2[0];
+            PACKED(item2 + entries2[1], 0) = result2[1];
+            PACKED(item2 + entries2[2], 0) = result2[2];
         } else {
-            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_each(item2, entries2, step2, 3, all);
+            give_each(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }
@@ -8133,7 +7989,7 @@ CHASLES_INLINE void chasles_euler_rates_zyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, 3);
+        prefetch(item0, 3, copied.ahead);
         if (dense0) {
             load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
         } else if (step0 == sizeof(float)) {
@@ -8154,7 +8010,7 @@ CHASLES_INLINE void chasles_euler_rates_zyz_blockf_items(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, 3);
+        prefetch(item1, 3, copied.ahead);
         if (dense1) {
             load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
         } else if (step1 == sizeof(float)) {
@@ -8178,16 +8034,16 @@ CHASLES_INLINE void chasles_euler_rates_zyz_blockf_items(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, step2, 3, sizeof(float));
+        prefetch_to_write(item2, step2, 3, sizeof(float), copied.ahead);
+        const floats result2[] = {theta_dot0, theta_dot1, theta_dot2};
         if (dense2) {
-            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+            store_allf(item2, step2, 3, result2);
         } else if (step2 == sizeof(float)) {
-            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
-            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
-            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+            PACKEDF(item2 + entries2[0], 0) = result2[0];
+            PACKEDF(item2 + entries2[1], 0) = result2[1];
+            PACKEDF(item2 + entries2[2], 0) = result2[2];
         } else {
-            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
-            give_eachf(item2, entries2, step2, 3, all);
+            give_eachf(item2, entries2, step2, 3, result2);
         }
         stream_lines(&copied);
     }

@@ -245,21 +245,21 @@ typedef float packed_floats
 #define PACKEDF(at, k) (*(packed_floats *)((at) + CHASLES_REGISTER * (k)))
 #define PACKEDF_IN(at, k) (*(const packed_floats *)((at) + CHASLES_REGISTER * (k)))
 
-/* Asks for so many registers that are soon read, as if there were no gaps. */
-CHASLES_INLINE void prefetch(const char *at, ptrdiff_t registers)
+/* Asks for so many registers that are soon read, as if there were no gaps, where that is to be done `ahead`. */
+CHASLES_INLINE void prefetch(const char *at, ptrdiff_t registers, int ahead)
 {
 #if CHASLES_REGISTER == 64
-    for (ptrdiff_t k = 0; k < registers * CHASLES_LINE; k += CHASLES_LINE) {
+    for (ptrdiff_t k = 0; k < registers * CHASLES_LINE && ahead; k += CHASLES_LINE) {
         __builtin_prefetch(at + 16 * CHASLES_LINE + k);
     }
 #else
-    (void)at, (void)registers;
+    (void)at, (void)registers, (void)ahead;
 #endif
 }
 
 /* Asks for memory that is soon written, of a group of items of so many numbers. Where there are gaps between items no line
  * is written whole, so that each is read before: without asking large batches would take half as long again. */
-CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t step, ptrdiff_t count, ptrdiff_t number)
+CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t step, ptrdiff_t count, ptrdiff_t number, int ahead)
 {
 #define ASK(to) __asm__ volatile("prefetchw %0" : : "m"(*(to)))
 #if CHASLES_REGISTER >= 32
@@ -275,12 +275,12 @@ CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t step, ptrdiff_t 
     }
 #endif
 #if CHASLES_REGISTER == 64
-    for (ptrdiff_t k = 0; k < count * CHASLES_LINE; k += CHASLES_LINE) {
+    for (ptrdiff_t k = 0; k < count * CHASLES_LINE && ahead; k += CHASLES_LINE) {
         ASK(at + 8 * CHASLES_LINE + k);
     }
 #endif
 #undef ASK
-    (void)at, (void)step, (void)count, (void)number;
+    (void)at, (void)step, (void)count, (void)number, (void)ahead;
 }
 
 /* Copies a share of what is to be copied on the way, around the cache: where the rest is computed memory would idle. */
@@ -525,6 +525,18 @@ CHASLES_INLINE void store_3f(char *at, ptrdiff_t step, floats x, floats y, float
     store_1f(at + 2 * sizeof(float), step, z);
 }
 
+#if CHASLES_REGISTER == 64
+/* Four numbers of items: `to[i]` has those of item i, then those of item 4 + i. */
+CHASLES_INLINE void across_4(doubles x, doubles y, doubles z, doubles w, doubles *to)
+{
+    const doubles even = LOWER(x, y), odd = UPPER(x, y), even_ = LOWER(z, w), odd_ = UPPER(z, w);
+    to[0] = SHUFFLE(even, even_, 0, 1, 8, 9, 4, 5, 12, 13);
+    to[1] = SHUFFLE(odd, odd_, 0, 1, 8, 9, 4, 5, 12, 13);
+    to[2] = SHUFFLE(even, even_, 2, 3, 10, 11, 6, 7, 14, 15);
+    to[3] = SHUFFLE(odd, odd_, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+#endif
+
 CHASLES_INLINE void store_4(char *at, ptrdiff_t step, doubles x, doubles y, doubles z, doubles w)
 {
 #define FOUR(i) *(double_4 *)(at + (i) * step)
@@ -538,18 +550,12 @@ CHASLES_INLINE void store_4(char *at, ptrdiff_t step, doubles x, doubles y, doub
     FOUR(2) = (double_4)SHUFFLE(even, even_, 2, 3, 6, 7);
     FOUR(3) = (double_4)SHUFFLE(odd, odd_, 2, 3, 6, 7);
 #else
-    const doubles even = LOWER(x, y), odd = UPPER(x, y), even_ = LOWER(z, w), odd_ = UPPER(z, w);
-    const doubles a = SHUFFLE(even, even_, 0, 1, 8, 9, 4, 5, 12, 13), b = SHUFFLE(odd, odd_, 0, 1, 8, 9, 4, 5, 12, 13);
-    const doubles c = SHUFFLE(even, even_, 2, 3, 10, 11, 6, 7, 14, 15);
-    const doubles d = SHUFFLE(odd, odd_, 2, 3, 10, 11, 6, 7, 14, 15);
-    FOUR(0) = (double_4)SHUFFLE(a, a, 0, 1, 2, 3);
-    FOUR(1) = (double_4)SHUFFLE(b, b, 0, 1, 2, 3);
-    FOUR(2) = (double_4)SHUFFLE(c, c, 0, 1, 2, 3);
-    FOUR(3) = (double_4)SHUFFLE(d, d, 0, 1, 2, 3);
-    FOUR(4) = (double_4)PART_OF_4(a, 1);
-    FOUR(5) = (double_4)PART_OF_4(b, 1);
-    FOUR(6) = (double_4)PART_OF_4(c, 1);
-    FOUR(7) = (double_4)PART_OF_4(d, 1);
+    doubles all[4];
+    across_4(x, y, z, w, all);
+    for (int i = 0; i < 4; i++) {
+        FOUR(i) = (double_4)PART_OF_4(all[i], 0);
+        FOUR(4 + i) = (double_4)PART_OF_4(all[i], 1);
+    }
 #endif
 #undef FOUR
 }
@@ -562,6 +568,87 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
     put_row(at, step, 1, 4, UPPER(xy, zw));
     put_row(at, step, 2, 4, LOWER(xy_, zw_));
     put_row(at, step, 3, 4, UPPER(xy_, zw_));
+}
+
+/* All numbers of items, four at a time. */
+CHASLES_INLINE void store_by_four(
+    char *at, ptrdiff_t step, int count, const doubles *x)
+{
+    const int whole = count / 4 * 4;
+    for (int k = 0; k < whole; k += 4) {
+        store_4(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);
+        at += 4 * sizeof(double);
+    }
+    if (count - whole == 3) {
+        store_3(at, step, x[whole], x[whole + 1], x[whole + 2]);
+    } else if (count - whole == 2) {
+        store_2(at, step, x[whole], x[whole + 1]);
+    } else if (count - whole == 1) {
+        store_1(at, step, x[whole]);
+    }
+}
+
+/* All numbers of items, four at a time. */
+CHASLES_INLINE void store_by_fourf(
+    char *at, ptrdiff_t step, int count, const floats *x)
+{
+    const int whole = count / 4 * 4;
+    for (int k = 0; k < whole; k += 4) {
+        store_4f(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);
+        at += 4 * sizeof(float);
+    }
+    if (count - whole == 3) {
+        store_3f(at, step, x[whole], x[whole + 1], x[whole + 2]);
+    } else if (count - whole == 2) {
+        store_2f(at, step, x[whole], x[whole + 1]);
+    } else if (count - whole == 1) {
+        store_1f(at, step, x[whole]);
+    }
+}
+
+#if CHASLES_REGISTER == 64
+/* Up to twelve numbers of items, item by item: where memory is what takes the time it is best written in its order. More
+ * would not stay in registers. */
+CHASLES_INLINE void store_in_order(char *at, ptrdiff_t step, int count, const doubles *x)
+{
+    const int whole = count / 4 * 4, rest = count - whole;
+    doubles fours[12], pairs[2];
+    for (int k = 0; k < whole; k += 4) {
+        across_4(x[k], x[k + 1], x[k + 2], x[k + 3], fours + k);
+    }
+    if (rest >= 2) {
+        pairs[0] = LOWER(x[whole], x[whole + 1]);
+        pairs[1] = UPPER(x[whole], x[whole + 1]);
+    }
+#define ITEM(i) \
+    for (int k = 0; k < whole; k += 4) { \
+        *(double_4 *)(at + (i) * step + k * (int)sizeof(double)) = (double_4)PART_OF_4(fours[k + (i) % 4], (i) / 4); \
+    } \
+    if (rest >= 2) { \
+        *(double_2 *)(at + (i) * step + whole * (int)sizeof(double)) = (double_2)PART_OF_2(pairs[(i) % 2], (i) / 2); \
+    } \
+    if (rest % 2 > 0) { \
+        *(double *)(at + (i) * step + (count - 1) * (int)sizeof(double)) = x[count - 1][i]; \
+    }
+    ITEM(0) ITEM(1) ITEM(2) ITEM(3) ITEM(4) ITEM(5) ITEM(6) ITEM(7)
+#undef ITEM
+}
+#endif
+
+CHASLES_INLINE void store_all(char *at, ptrdiff_t step, int count, const doubles *x)
+{
+#if CHASLES_REGISTER == 64
+    if (4 < count && count <= 12) {
+        store_in_order(at, step, count, x);
+        return;
+    }
+#endif
+    store_by_four(at, step, count, x);
+}
+
+CHASLES_INLINE void store_allf(char *at, ptrdiff_t step, int count, const floats *x)
+{
+    store_by_fourf(at, step, count, x);
 }
 
 /* Whether the items of an operand, of so many numbers, are packed; `core` has the steps down and across in an item. */
@@ -700,7 +787,7 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 
 CHASLES_INLINE doubles sine_of(doubles x)
 {
-    chasles_stream none = {0, 0, 0, 0};
+    chasles_stream none = {0, 0, 0, 0, 0};
     doubles sine, cosine;
     CHASLES_LEVELED(chasles_sincos)(1, &x, &sine, &cosine, &none);
     return sine;
@@ -708,7 +795,7 @@ CHASLES_INLINE doubles sine_of(doubles x)
 
 CHASLES_INLINE doubles cosine_of(doubles x)
 {
-    chasles_stream none = {0, 0, 0, 0};
+    chasles_stream none = {0, 0, 0, 0, 0};
     doubles sine, cosine;
     CHASLES_LEVELED(chasles_sincos)(1, &x, &sine, &cosine, &none);
     return cosine;
@@ -722,7 +809,7 @@ CHASLES_INLINE doubles directions(doubles y, doubles x)
 
 CHASLES_INLINE floats sine_off(floats x)
 {
-    chasles_stream none = {0, 0, 0, 0};
+    chasles_stream none = {0, 0, 0, 0, 0};
     floats sine, cosine;
     CHASLES_LEVELED(chasles_sincosf)(1, &x, &sine, &cosine, &none);
     return sine;
@@ -730,7 +817,7 @@ CHASLES_INLINE floats sine_off(floats x)
 
 CHASLES_INLINE floats cosine_off(floats x)
 {
-    chasles_stream none = {0, 0, 0, 0};
+    chasles_stream none = {0, 0, 0, 0, 0};
     floats sine, cosine;
     CHASLES_LEVELED(chasles_sincosf)(1, &x, &sine, &cosine, &none);
     return cosine;

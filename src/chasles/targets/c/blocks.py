@@ -142,7 +142,7 @@ def _part(part: CutFunction, precision: Precision) -> Iterator[str]:
         yield "{"
         yield from _indented(_interleaved(text, [f"angles[{place}][0]" for place in range(count)], precision))
         yield "}"
-        yield "chasles_stream none = {0, 0, 0, 0};"
+        yield "chasles_stream none = {0, 0, 0, 0, 0};"
         yield f"CHASLES_LEVELED(chasles_sincos{suffix})({count}, angles[0], sines[0], cosines[0], &none);"
     text = spelled(parts.rest, dialect)
     yield from _taken(parts.rest, text, 1, precision, "0")

@@ -45,7 +45,7 @@ def loads(place: int, shape: tuple[int, ...], name: str, wanted: Sequence[int], 
     suffix, size = precision.suffix, math.prod(shape)
     yield f"{register(precision)} {name}{f'[{size}]' if shape else ''};"
     yield _item(place, "const char", precision)
-    yield f"prefetch(item{place}, {size});"
+    yield f"prefetch(item{place}, {size}, copied.ahead);"
     if not shape:
         yield f"load_1{suffix}(item{place}, step{place}, &{name});"
         return
@@ -71,20 +71,18 @@ def stores(place: int, shape: tuple[int, ...], entries: Sequence[str], precision
     """The entries of a result, once all of them are known."""
     suffix, values = precision.suffix, [spread(value, precision) for value in entries]
     yield _item(place, "char", precision)
-    yield f"prefetch_to_write(item{place}, step{place}, {len(entries)}, sizeof({precision.name}));"
+    yield f"prefetch_to_write(item{place}, step{place}, {len(entries)}, sizeof({precision.name}), copied.ahead);"
     if not shape:
         yield from listed(f"store_1{suffix}(item{place}, step{place}, ", values, ");")
         return
+    yield from listed(f"const {register(precision)} result{place}[] = {{", values, "};")
     yield f"if (dense{place}) {{"
-    for entry, width in _runs(range(len(entries))):
-        start = f"    store_{width}{suffix}(item{place} + {entry} * sizeof({precision.name}), step{place}, "
-        yield from listed(start, values[entry : entry + width], ");")
+    yield f"    store_all{suffix}(item{place}, step{place}, {len(entries)}, result{place});"
     yield f"}} else if (step{place} == sizeof({precision.name})) {{"
-    for entry, value in enumerate(values):
-        yield f"    PACKED{suffix.upper()}(item{place} + entries{place}[{entry}], 0) = {value};"
+    for entry in range(len(entries)):
+        yield f"    PACKED{suffix.upper()}(item{place} + entries{place}[{entry}], 0) = result{place}[{entry}];"
     yield "} else {"
-    yield from listed(f"    const {register(precision)} all[] = {{", values, "};")
-    yield f"    give_each{suffix}(item{place}, entries{place}, step{place}, {len(values)}, all);"
+    yield f"    give_each{suffix}(item{place}, entries{place}, step{place}, {len(entries)}, result{place});"
     yield "}"
 
 

@@ -20,11 +20,13 @@ _USED = """
 """
 _CALLED = """
     spread roots alike less equal choose row put_row sine_of cosine_of directions
-    fabs_of load_1 load_2 load_3 load_4 store_1 store_2 store_3 store_4
+    fabs_of load_1 load_2 load_3 load_4 store_1 store_2 store_3 store_4 store_all
     take_1 take_2 take_3 take_4 give_1 give_2 give_3 give_4
 """
 _MOST_OPERANDS = 64
-_NUMBERED = {f"{stem}{place}" for stem in ("at", "step", "down", "across", "item") for place in range(_MOST_OPERANDS)}
+_NUMBERED = {
+    f"{stem}{place}" for stem in ("at", "step", "down", "across", "item", "result") for place in range(_MOST_OPERANDS)
+}
 _RESERVED = RESERVED | {*_USED.split(), *_CALLED.split(), *(f"{word}f" for word in _CALLED.split())} | _NUMBERED
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]")
 
