@@ -695,3 +695,16 @@ def test_the_angle_of_a_point_takes_two_numbers(text: str, status: str) -> None:
     (found,) = read_equations([PrintedEquation(rf"\phi = {text}")], load_notation(OF_MANY_SIZES))
     assert found.status == status
     assert len(found.readings) == (status == "read")
+
+
+@pytest.mark.parametrize(
+    ("text", "verdicts"),
+    [
+        (r"-\infty \lt y \leq \infty", ["open", "open"]),
+        (r"\infty - \infty = 0", ["unread"]),
+        (r"\begin{cases} E_n: & \quad y = h \\ E_t : & y + 1 = h + 2 - 1 \end{cases}", ["defined", "holds"]),
+    ],
+)
+def test_infinities_and_headings_of_rows(text: str, verdicts: list[str]) -> None:
+    letters = {"symbols": {letter: {"is": "scalar"} for letter in ("y", "h", "E_{#}")}}
+    assert [each.verdict for each in chasles.read(text, letters).equations] == verdicts

@@ -138,3 +138,15 @@ $$T^{-1} = \begin{bmatrix} R & -R^T a \\ 0 & 1 \end{bmatrix}$$
     assert [each.line for each in wrong] == [3, 5, 8]
     assert wrong[0].finding
     assert "R is a rotation" in wrong[0].finding.against
+
+
+def test_another_letter_is_a_slip_in_what_is_said_of_known_quantities_together() -> None:
+    letters = {"symbols": {letter: {"is": "scalar"} for letter in "abcuv"}}
+    *_, found = read("$$u = a b$$\n$$v = a + c$$\n$$u + v = a b + a + b$$", letters).equations
+    assert (found.verdict, str(found.finding and found.finding.instead.right)) == ("fails", "a b + a + c")
+
+
+def test_what_is_said_of_a_rate_in_another_frame_is_no_slip_of_a_letter() -> None:
+    letters = {"symbols": {rf"\mathbf{{{letter}}}": {"is": "vector"} for letter in "rsw"}}
+    page = r"$$\mathbf r = \mathbf s$$" + "\n" + r"$$\dot{\mathbf r} = \dot{\mathbf s} + \mathbf w \times \mathbf s$$"
+    assert [each.verdict for each in read(page, letters).equations] == ["defined", "open"]

@@ -80,9 +80,11 @@ def _shown(claim: Claim, premises: Premises) -> set[w.Node]:
 
 
 def _is_about_known(claim: Claim, premises: Premises, shown: set[w.Node]) -> bool:
-    """Whether a side is a known quantity, or what one was shown to be; or all letters are known."""
+    """Whether a side is made of known quantities, or what one was shown to be; or all letters are known."""
     known = {**premises.defined(), **premises.proved}
     if any(quantity(side) in known or side in shown for side in claim.printed):
+        return True
+    if any((made_of := set(quantities(side))) and made_of <= known.keys() for side in claim.printed):
         return True
     said = {symbol for symbol, _ in known}
     return all(s in said or premises.facts(s) for side in claim.printed for s, _ in quantities(side))

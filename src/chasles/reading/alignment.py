@@ -237,13 +237,14 @@ def _spliced(atoms: list[Atom], place: int) -> list[Atom]:
 
 
 def _without_alignment(line: list[Atom], is_paired: bool) -> list[Atom]:
-    """Without marks of alignment; they part equations where these come in pairs, or stand in cells of their own."""
+    """Without marks of alignment; they part equations in pairs, in cells of their own, or behind a heading."""
     cells = cut(line, ("&",))
     found = list(cells[0])
     for number, cell in enumerate(cells[1:], 1):
         places = _relations(cell)
         are_whole = bool(places) and places[0] > 0 and bool(_relations(cells[number - 1][1:-1]))
-        if ((is_paired and number % 2 == 0) or are_whole) and found:
+        is_headed = bool(found) and found[-1].text == ":"
+        if ((is_paired and number % 2 == 0) or are_whole or is_headed) and found:
             found.append(single(found[-1].place._replace(text=r"\quad")))
         found += cell
     return found

@@ -99,7 +99,7 @@ SYNONYMS = {
     **dict.fromkeys(_commands("coloneqq coloneq defeq"), ":="),
     **dict.fromkeys(_commands("cr newline tabularnewline"), r"\\"),
     **_pairs(r"\lbrack [ \rbrack ] \lbrace \{ \rbrace \} \colon : \vcentcolon : \le \leq \leqslant \leq \ge \geq"),
-    **_pairs(r"\geqslant \geq \ne \neq \to \rightarrow \gets \leftarrow \prime '"),
+    **_pairs(r"\lt < \gt > \geqslant \geq \ne \neq \to \rightarrow \gets \leftarrow \prime '"),
     **_pairs(r"\ast * \eqdef \triangleq \land \wedge \# \sharp \intercal \top"),
 }
 

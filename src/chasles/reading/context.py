@@ -69,12 +69,12 @@ class FittingContext:
         usual = next(fit.usual for fit in pair if fit.node is None)
         return Fit(None, sum(fit.cost for fit in pair), sized=sized, usual=usual)
 
-    def of_its_own(self, text: str, like: Sequence[Node] = (), here: bool = False) -> list[Fit]:
+    def of_its_own(self, text: str, like: Sequence[Node] = (), here: str = "") -> list[Fit]:
         """What no word says: a quantity of its own, of any shape, another one elsewhere if that is `here` alone.
 
         Where units are checked it has those of what it is `like`.
         """
-        home, name = self.notation.home, f"{text} in {self.where}" if here else text
+        home, name = self.notation.home, f"{text} in {here}" if here else text
         if has_units(home):
             return [Fit(own_quantity(text, measured(each), home, name)) for each in like]
         sized = lambda shape: own_quantity(text, uniform(shape, NO_DIMENSION), home, name)  # noqa: E731

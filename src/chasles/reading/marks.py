@@ -22,13 +22,14 @@ from chasles.reading.typefaces import UNBRACKETED
 from chasles.vocabulary import Group, Identity, Node, Number, Symbol, Transpose, Zero, latex
 from chasles.vocabulary.families import Entry, Kronecker
 
+INFINITY = r"\infty"
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
 WITHOUT_BARS = (r"\langle\rangle", r"\lfloor\rfloor", r"\lceil\rceil", r"\|\|")
 """Brackets that may stand for a mean, or for a norm of matrices."""
 WITHOUT_WORD = {
     ".": "a full stop stands inside a formula",
     "!": "no word for a factorial",
-    **{sign: f"no word for {sign}" for sign in (r"\sum", r"\prod", r"\int", r"\oint", r"\lim", r"\infty", r"\nabla")},
+    **{sign: f"no word for {sign}" for sign in (r"\sum", r"\prod", r"\int", r"\oint", r"\lim", r"\nabla")},
     **{dots: f"{dots} stands for what is left out" for dots in DOTS},
 }
 
@@ -134,7 +135,8 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
         case _ if _has_no_word(atom):
-            fits = ctx.of_its_own(latex_of(atom))
+            at = f"{ctx.where}:{atom.place.line}:{atom.place.column}"  # two of them are not equal
+            fits = ctx.of_its_own(latex_of(atom), here=at if atom.text == INFINITY else "")
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
         case "GROUP" | "GRID" if any(atom.before):
@@ -160,7 +162,7 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
 
 
 def _has_no_word(atom: Atom) -> bool:
-    """Whether it is an event, a binomial, a list in braces, or something with dots."""
+    """Whether it is an event, a binomial, an infinity, a list in braces, or something with dots."""
     match atom.kind:
         case "GRID":
             return any(map(_leaves_out, chain.from_iterable(atom.rows)))
@@ -168,7 +170,7 @@ def _has_no_word(atom: Atom) -> bool:
             is_list = atom.text in (r"\{\}", r"\langle\rangle")
             return is_list or any(_leaves_out(row) for each in atom.inside for row in each.rows)
         case _:
-            return atom.kind == "EVENT" or atom.text == r"\binom"
+            return atom.kind == "EVENT" or atom.text in (r"\binom", INFINITY)
 
 
 def _leaves_out(cell: Atoms) -> bool:

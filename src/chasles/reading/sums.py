@@ -30,7 +30,7 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     if EITHER.intersection(terms.signs) or 0 < len(said) < len(terms.rows):
         return _either(terms, ctx)
     if not said and not has_units(ctx.notation.home):
-        return ctx.of_its_own(in_latex(text_of(terms)), here=True)
+        return ctx.of_its_own(in_latex(text_of(terms)), here=ctx.where)
     if len(terms.rows) > 1 and terms.signs[-1] == "+" and (order := order_of(terms.rows[-1], ctx)):
         return up_to_order(sum_fits(Terms(terms.signs[:-1], terms.rows[:-1]), ctx), order, ctx)
     problems = len(ctx.problems)
@@ -58,7 +58,7 @@ def _row(row: Atoms, ctx: FittingContext) -> list[Fit]:
     is_open = any(piece.text in OPEN[:3] for piece in row)
     if has_units(ctx.notation.home) or not (is_summed or is_open):
         return row_fits(row, ctx)
-    return ctx.of_its_own(in_latex(text_of_row(row)), here=is_open)
+    return ctx.of_its_own(in_latex(text_of_row(row)), here=ctx.where if is_open else "")
 
 
 def _is_open(row: Atoms) -> bool:
@@ -72,7 +72,7 @@ def _either(terms: Terms, ctx: FittingContext) -> list[Fit]:
     signs = ["+" if sign in EITHER else sign for sign, _ in pairs]
     fits = sum_fits(Terms(("" if signs[0] == "+" else signs[0], *signs[1:]), tuple(row for _, row in pairs)), ctx)
     said = [fit.node for fit in fits if fit.node is not None and fit.shape]
-    return ctx.of_its_own(in_latex(text_of(terms)), said, here=True) if fits else []
+    return ctx.of_its_own(in_latex(text_of(terms)), said, here=ctx.where) if fits else []
 
 
 def _of_shape(signs: tuple[str, ...], rows: list[list[Fit]], shape: Shape, ctx: FittingContext) -> list[Fit]:
