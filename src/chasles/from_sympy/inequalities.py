@@ -13,11 +13,12 @@ from sympy.functions.elementary.trigonometric import InverseTrigonometricFunctio
 
 from chasles.checker.expressions.bounded_angles import between, is_halved, ratio
 from chasles.checker.expressions.quantities import is_atom
-from chasles.checker.expressions.readings import CIRCULAR, is_whole
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
 from chasles.from_sympy.divisors import lost_divisors
+from chasles.from_sympy.monotone import is_whole
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
@@ -75,7 +76,7 @@ def definitions(said: Said, asked: Said) -> list[str]:
 
 
 def _plain(item: Any) -> Iterator[Any]:
-    """What is said of a size, as two inequalities; of integers, one is less than the other one by one or more."""
+    """What is said of a size, as two inequalities; of integers, what it comes to with the nearest possible bound."""
     if not isinstance(item, COMPARED):
         yield item
     elif item.has(sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
@@ -84,12 +85,21 @@ def _plain(item: Any) -> Iterator[Any]:
         less = sympy.Lt if isinstance(item, STRICT) else sympy.Le
         yield from _plain(less(item.lts.args[0], item.gts))
         yield from _plain(less(-item.gts, item.lts.args[0]))
-    elif isinstance(item, STRICT) and all(
-        is_whole(term) for side in item.args for term in sympy.Add.make_args(sympy.expand(side))
-    ):
-        yield item.lts <= item.gts - 1 if item.gts.is_number else item.gts >= item.lts + 1
     else:
-        yield item
+        yield _rounded(item)
+
+
+def _rounded(item: Any) -> Any:
+    """What an inequality between integers and rational numbers says: 2 n > 1 that 2 n >= 2, and n < 5/2 that n <= 2."""
+    constant, rest = sympy.expand(item.gts - item.lts).as_coeff_Add()
+    content, terms = rest.primitive()
+    if not constant.is_Rational or not rest.free_symbols or not is_whole(terms):
+        return item
+    least = -constant / content
+    more = content * ((sympy.floor(least) + 1 if isinstance(item, STRICT) else sympy.ceiling(least)) - least)
+    if not more:
+        return item
+    return item.lts <= item.gts - more if item.gts.is_number else item.gts >= item.lts + more
 
 
 def _joined(items: list[Any]) -> list[Any]:

@@ -33,7 +33,7 @@ def plainer(claim: Any) -> Any:
 
 
 def _without_rounding(less: Any, more: Any, strict: bool) -> Relation | None:
-    if not (_is_whole(less) and _is_whole(more)):
+    if not (is_whole(less) and is_whole(more)):
         return None
     by_less, by_more = int(strict), int(not strict)
     if isinstance(less, sympy.floor):
@@ -45,7 +45,7 @@ def _without_rounding(less: Any, more: Any, strict: bool) -> Relation | None:
     return (less - by_more, more.args[0], True) if isinstance(more, sympy.ceiling) else None
 
 
-def _is_whole(e: Any) -> bool:
+def is_whole(e: Any) -> bool:
     """Whether an expression is a sum of integral multiples of integers."""
     terms = (term.as_coeff_Mul() for term in sympy.Add.make_args(e))
     return all(n.is_Integer and (e.is_integer or isinstance(e, sympy.floor | sympy.ceiling)) for n, e in terms)
