@@ -9,7 +9,6 @@ from random import Random
 
 from chasles import vocabulary as w
 from chasles.evaluation.matrices import Matrix
-from chasles.problems.variables import entry_name
 from chasles.repairs.real_values import NO_VALUE, RealPoint, agree_at
 from chasles.statements import Problem, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
@@ -61,17 +60,6 @@ class RealTest:
         moving = [s for s in free if not (isinstance(s, w.Symbol) and s.constant)]
         free += [rate for s in moving for n in range(1, dots + 1) if (rate := rated(s, n)) not in self.rules]
         self.places = [(symbol, i, j) for symbol in free for i, j in product(*map(range, symbol.shape))]
-        named = {
-            entry_name(symbol, 0, i, j): place
-            for place, (symbol, i, j) in enumerate(self.places)
-            if isinstance(symbol, w.Symbol)
-        }
-        self.products = {  # a vector with a length and a direction of its own is their product
-            (symbol, i, 0): (named[f"|{symbol.name}|"], named[f"{symbol.name}/|{symbol.name}|_{i + 1}"])
-            for symbol in dict.fromkeys(each for side in sides for each in w.symbols_of(side))
-            for i in range(symbol.shape[0])
-            if f"{symbol.name}/|{symbol.name}|_{i + 1}" in named
-        }
         given = chain(*self.given, *self.rules.items())
         bound = {symbol for side in given for symbol in w.symbols_of(side)}
         self.bound = [k for k, (symbol, _, _) in enumerate(self.places) if w.undotted(symbol)[0] in bound]
@@ -136,8 +124,7 @@ class RealTest:
         return [a - b for pair in pairs for a, b in pair]
 
     def _at(self, values: list[float]) -> RealPoint:
-        products = {place: values[length] * values[along] for place, (length, along) in self.products.items()}
-        return RealPoint(self.rules, dict(zip(self.places, values, strict=True)) | products)
+        return RealPoint(self.rules, dict(zip(self.places, values, strict=True)))
 
 
 def _near(one: Matrix, other: Matrix) -> bool:

@@ -10,14 +10,13 @@ from typing import TypeVar
 
 from chasles.checker.sparse import Rejected
 from chasles.evaluation.interpreter import Interpreter
-from chasles.evaluation.matrices import Matrix, each, plus, transposed
+from chasles.evaluation.matrices import Matrix
 from chasles.rewriting.rates import carried_out
 from chasles.statements.rules import behind, rated
-from chasles.vocabulary import PI, Call, Inverse, Misfit, Node, Norm, Rate, Symbol, undotted, walk
+from chasles.vocabulary import PI, Call, Inverse, Misfit, Node, Norm, Rate, Symbol, undotted
 from chasles.vocabulary.differentiation import NoRule
 from chasles.vocabulary.functions import Cases, FunctionOf
-from chasles.vocabulary.partial import PartialDerivative
-from chasles.vocabulary.parts import Submatrix
+from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
 _Point = TypeVar("_Point")
 FUNCTIONS: dict[str, Callable[..., float]] = {
@@ -30,16 +29,10 @@ NO_VALUE = (ArithmeticError, ValueError, LookupError, TypeError, Misfit, NoRule)
 """What is raised for an expression that has no value at a point."""
 
 
-STEP = 2.0**-9
-"""The step of a derivative, of which differences of the sixth order are taken: they err by some 1e-13."""
-WEIGHTS = {1: 3 / 4, 2: -3 / 20, 3: 1 / 60}
-_Place = tuple[Node, int, int]
-
-
 class RealPoint(Interpreter):
     """Values of expressions at a point that names the entries of letters and rates; raises what is in `NO_VALUE`."""
 
-    def __init__(self, rules: Mapping[Node, Node], entries: Mapping[_Place, float]) -> None:
+    def __init__(self, rules: Mapping[Node, Node], entries: Mapping[tuple[Node, int, int], float]) -> None:
         super().__init__(rules)
         self.at = entries
 
@@ -52,8 +45,8 @@ class RealPoint(Interpreter):
                 return [[math.pi]]
             case Symbol(is_field=False) | Rate():
                 return self._letter(node)
-            case PartialDerivative(of, by):
-                return self._slope(of, by)
+            case PartialDerivative():
+                return self(with_derivatives(node, self.rules))
             case Norm(of):
                 return [[math.hypot(*(entry for row in self(of) for entry in row))]]
             case Call(function, argument) | FunctionOf(function, (argument,)):
@@ -84,27 +77,6 @@ class RealPoint(Interpreter):
         if carried == node:
             raise LookupError(f"{node} has no value here")
         return self(carried)
-
-    def _slope(self, of: Node, by: Node) -> Matrix:
-        """The derivative of a scalar or a column by a letter, an entry of one or its rate, from nearby points."""
-        whole = by.of if isinstance(by, Submatrix) else by
-        rows, columns = by.shape
-        if whole in self.rules or columns > 1 or any(part.is_field for part in walk(of)):
-            raise TypeError(f"the derivative by {by} is no difference")
-        top = (by.rows[0] - 1, by.columns[0] - 1) if isinstance(by, Submatrix) else (0, 0)
-        slopes = [self._difference(of, (whole, top[0] + i, top[1])) for i in range(rows)]
-        return slopes[0] if rows == 1 else transposed([[entry for (entry,) in slope] for slope in slopes])
-
-    def _difference(self, of: Node, place: _Place) -> Matrix:
-        if place not in self.at:
-            raise TypeError(f"the derivative by {place[0]} is no difference")
-        total: Matrix = []
-        for steps, weight in WEIGHTS.items():
-            for sign in (1, -1):
-                moved = RealPoint(self.rules, {**self.at, place: self.at[place] + sign * steps * STEP})
-                part = each(moved(of), lambda entry: entry * sign * weight / STEP)  # noqa: B023
-                total = plus(total, part) if total else part
-        return total
 
 
 def agree_at(points: Iterable[_Point], compared: Callable[[_Point], bool]) -> bool:
