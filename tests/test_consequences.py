@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import chain
 
 import mpmath
 import numpy as np
 import pytest
 
 from chasles.decisions.recalled import session_of
+from chasles.evaluation import matrices
 from chasles.pages.consequences import Consequences
 from chasles.pages.premises import PosedEquation, Rules
-from chasles.pages.time_series import FUNCTIONS, TimeSeries
+from chasles.pages.time_series import FUNCTIONS, TimeSeries, matrix_product
 from chasles.statements import Claim, Definition, Hypothesis, Problem, load, problem_of, rotation, unit
 from chasles.vocabulary import (
     FREQUENCY,
@@ -163,3 +165,19 @@ def test_roots_are_compared_where_they_are_real(name: str) -> None:
     consequences = Consequences(lambda _: ())
     assert consequences.may_follow(sqrt(x) * sqrt(y) * sqrt(z), sqrt(z) * sqrt(x) * sqrt(y), {}) is True
     assert consequences.may_follow(sqrt(x) * sqrt(y) * sqrt(z), sqrt(x) * sqrt(y) * z, {}) is False
+
+
+@pytest.mark.parametrize("terms", [3, 4])
+@pytest.mark.parametrize("shape", [(3, 3, 3), (3, 3, 1), (2, 1, 1)])
+def test_a_product_of_all_entries_at_once_is_that_of_each(shape: tuple[int, int, int], terms: int) -> None:
+    rows, inner, columns = shape
+    numbers = np.random.default_rng(1)
+    linear = np.array([1.0, 1.0, 0.0]).reshape(-1, 1, 1)
+    left = [[TimeSeries(linear * numbers.uniform(size=(3, 4, 1)), 2) for _ in range(inner)] for _ in range(rows)]
+    right = [[TimeSeries(numbers.uniform(size=(terms, 1, 2))) for _ in range(columns)] for _ in range(inner)]
+    left[0][0] = TimeSeries(np.zeros((terms, 1, 1)), 0)
+    found, expected = matrix_product(left, right), matrices.product(left, right)
+    for one, other in zip(chain(*found), chain(*expected), strict=True):
+        assert len(one) == len(other)
+        np.testing.assert_allclose(*np.broadcast_arrays(one.terms, other.terms), rtol=1e-14)
+        assert not np.any(one.terms[one.reach :])

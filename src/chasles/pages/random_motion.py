@@ -14,7 +14,7 @@ from chasles.evaluation import matrices
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
 from chasles.pages.premises import Rules
-from chasles.pages.time_series import Array, TimeSeries, function_of
+from chasles.pages.time_series import Array, TimeSeries, function_of, matrix_product
 from chasles.statements import Hypothesis
 from chasles.statements.rules import rated
 from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Power, Rate, Symbol
@@ -144,6 +144,9 @@ class ValuesInMotion(Interpreter):
 
     def constant(self, value: Fraction) -> TimeSeries:
         return self._resting(float(value))
+
+    def product(self, left: Matrix, right: Matrix) -> Matrix:
+        return matrix_product(left, right)
 
     def own(self, node: Node) -> Matrix:
         match node:

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace as with_fields
 from fractions import Fraction
+from functools import lru_cache, partial
 from itertools import count, islice
 
 from chasles import vocabulary as w
@@ -17,7 +18,7 @@ from chasles.decisions.session import Session
 from chasles.pages.attempts import named, with_premises
 from chasles.pages.bounded_proofs import LESS_WORK, proof_of
 from chasles.pages.consequences import Consequences
-from chasles.pages.edited_marks import one_mark_away
+from chasles.pages.edited_marks import in_words, one_mark_away
 from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities
 from chasles.pages.quantities import quantities, quantity
 from chasles.pages.random_motion import MOST_FACTORS
@@ -46,17 +47,20 @@ def true_but_for_a_slip(
     if _is_one_term_said_to_vanish(claim) or _is_a_value(claim):
         return None
     said_of = {symbol for symbol, _ in premises.definitions}
-    spoken_of = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
-    edits = one_mark_away(*claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol)))
+    spoken_of = tuple(symbol for symbol, _ in free_quantities(claim.printed, known[0]))
+    edits_of = partial(
+        one_mark_away, *claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol))
+    )
+    edits = edits_of()
     tested = [*islice(edits, FEWER_TESTS if any(each.open for each in known[1]) else MOST_TESTS)]
     shown = _shown(claim, premises)
     if claim.left in shown:  # it was printed before, and mostly right
         tested.sort(key=lambda edit: edit[0] != claim.left)
     slips = (edit for edit in tested if _is_slip(claim, edit[:2], premises, shown))
-    found = ((*edit, consequences.may_follow(*edit[:2], *known)) for edit in slips)
+    found = ((*edit[:2], consequences.may_follow(*edit[:2], *known)) for edit in slips)
     unknown = count()
     agreeing = (edit for edit in found if edit[-1] is not False)
-    for left, right, said, likely in islice(agreeing, MOST_EDITS):
+    for left, right, likely in islice(agreeing, MOST_EDITS):
         meant = with_fields(claim, left=left, right=right, sic=True)
         if meant.fault or _cancels(claim, (left, right)) or _says_nothing(left, right):
             continue
@@ -67,6 +71,7 @@ def true_but_for_a_slip(
         for chosen in (consequences.least(left, right, *known), known) if likely else (known,):
             verdict = proof_of(with_premises(meant, premises, *chosen), session, bool(likely), LESS_WORK)
             if isinstance(verdict, Holds | HoldsUnder):
+                said = next(words for *sides, words in edits_of(in_words) if sides == [left, right])
                 return Repair(left, right, (said,), 1, verdict)
     return None
 
@@ -162,7 +167,8 @@ def _unsigned(term: w.Node) -> tuple[bool, w.Node]:
     return is_negative, term
 
 
-def _symbols(sides: Iterable[w.Node]) -> Counter[w.Symbol]:
+@lru_cache(maxsize=64)
+def _symbols(sides: tuple[w.Node, ...]) -> Counter[w.Symbol]:
     return Counter(part for side in sides for part in w.walk(side) if isinstance(part, w.Symbol))
 
 

@@ -8,7 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from chasles.evaluation import matrices
+from chasles.evaluation.matrices import Matrix
+
 Array = np.ndarray[Any, np.dtype[np.float64]]
+LEAST_AT_ONCE = 9
+"""So many products of entries are formed at once: fewer are sooner formed one by one."""
 
 
 class TimeSeries:
@@ -81,6 +86,30 @@ class TimeSeries:
 
     def __len__(self) -> int:
         return len(self.terms)
+
+
+def matrix_product(left: Matrix, right: Matrix) -> Matrix:
+    """The product of two matrices of series, all entries at once; raises ValueError if the inner sizes differ."""
+    n, *others = {len(entry) for side in (left, right) for row in side for entry in row}
+    if others or len(left) * len(right) * len(right[0]) < LEAST_AT_ONCE:
+        return matrices.product(left, right)
+    (one, reach), (more, other) = (_at_once(side, n) for side in (left, right))
+    found = one[0] @ more
+    for k in range(1, min(reach, n)):
+        found[k:] += one[k] @ more[: n - k]
+    series = np.ascontiguousarray(np.moveaxis(found, (-2, -1), (0, 1)))
+    return [[TimeSeries(entry, max(reach + other - 1, 0)) for entry in row] for row in series]
+
+
+def _at_once(matrix: Matrix, n: int) -> tuple[Array, int]:
+    """The first n coefficients of all entries, those of each motion and element as a matrix, and their reach."""
+    entries = [entry for row in matrix for entry in row]
+    widths = (max(entry.terms.shape[axis] for entry in entries) for axis in (1, 2))
+    found = np.empty((n, *widths, len(matrix), len(matrix[0])))
+    for i, row in enumerate(matrix):
+        for j, entry in enumerate(row):
+            found[..., i, j] = entry.terms[:n]
+    return found, max(entry.reach for entry in entries)
 
 
 def function_of(name: str) -> Callable[..., TimeSeries]:

@@ -5,7 +5,7 @@ Wrong coefficients and missing terms are not among them; these are found from th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import combinations
 
 from chasles.repairs.local_edits import FORM, SingleEdit, edits_at
@@ -19,7 +19,7 @@ def placed(node: Node, path: Path, new: Node) -> Node:
     return printed(lambda: put(node, path, new))
 
 
-def single_edits(node: Node) -> Iterator[SingleEdit]:
+def single_edits(node: Node, told: Callable[[Node, Node], str] = instead) -> Iterator[SingleEdit]:
     """The expression with one slip of form undone, in every place where what comes out fits together."""
     parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
     for path, part in parts.items():
@@ -27,12 +27,13 @@ def single_edits(node: Node) -> Iterator[SingleEdit]:
         for new, words, effort in edits_at(part, parent, turned=path not in linear):
             whole = placed(node, path, new)
             if whole.fault is None:
-                yield SingleEdit(whole, words or instead(new, part), effort)
+                yield SingleEdit(whole, words or told(new, part), effort)
 
 
 def in_letters(
-    node: Node, letters: Iterable[Symbol], *, of: Iterable[Symbol] = (), any_shape: bool = False
-) -> Iterator[SingleEdit]:
+    node: Node, letters: Iterable[Symbol], *, of: Iterable[Symbol] = (), any_shape: bool = False,
+    told: Callable[[Node, Node], str] = instead,
+) -> Iterator[SingleEdit]:  # fmt: skip
     """The expression with one of the letters for another (`of` some) of the same shape, in one place or in all."""
     found = list(everywhere(node))
     symbols = tuple(of) or tuple(dict.fromkeys(part for _, part in found if isinstance(part, Symbol)))
@@ -44,7 +45,7 @@ def in_letters(
             wholes = [placed(node, path, letter) for path in places]
             if len(places) > 1:
                 wholes.append(printed(lambda: _renamed(node, {symbol: letter})))  # noqa: B023
-            yield from (SingleEdit(whole, instead(letter, symbol)) for whole in wholes if whole.fault is None)
+            yield from (SingleEdit(whole, told(letter, symbol)) for whole in wholes if whole.fault is None)
 
 
 def _renamed(node: Node, letters: Mapping[Node, Node]) -> Node:
