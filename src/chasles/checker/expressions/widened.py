@@ -235,7 +235,7 @@ def plain_expression(text: str, names: Mapping[str, Any]) -> Any:
 def _highest(node: ast.AST) -> int:
     """A bound of the power to which something is raised, (x**2)**3 a sixth power; of what is not read here, none."""
     called = getattr(sympy, getattr(node.func, "id", ""), None) if isinstance(node, ast.Call) else None
-    if called not in (None, sympy.sqrt, sympy.floor, *READINGS, *VALUED):
+    if called not in (None, sympy.sqrt, sympy.floor, *READINGS, *VALUED, *SWITCHES):
         return LARGEST_EXPONENT + 1
     if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Pow):
         return max(map(_highest, ast.iter_child_nodes(node)), default=1)
