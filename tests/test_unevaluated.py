@@ -100,6 +100,7 @@ FALSE: list[tuple[Any, Any]] = [
     (Sum(i**2, (i, 1, 5)), 54),
     (Product(x + i, (i, 0, 2)), x**3),
     (binomial(6, 2, evaluate=False), 14),
+    (sp.Max(1, sp.Min(3, 4, evaluate=False), evaluate=False), 6),
 ]
 
 

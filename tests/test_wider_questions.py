@@ -43,6 +43,7 @@ BY_CASES = [
     (Min(Abs(x - y), Abs(x + y)), Abs(Abs(x) - Abs(y))),
     (Abs(x) + Abs(y) + Abs(Abs(x) - Abs(y)), Abs(x - y) + Abs(x + y)),
     (Max(Abs(x), Abs(y)), (Abs(x + y) + Abs(x - y)) / 2),
+    (Max(1 / p, 1 / r), 1 / Min(p, r)),
     (Max(r, sp.exp(-sqrt(3)) * cos(1)) + Min(r, sp.exp(-sqrt(3)) * cos(1)), r + sp.exp(-sqrt(3)) * cos(1)),
 ]
 TRUE = [(*sides, []) for sides in (*NUMBERS, *BY_SQUARES, *BY_CASES)] + DEFINED

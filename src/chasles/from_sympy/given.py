@@ -39,7 +39,7 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: RealParts) -> tuple[S
         pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
         result.stated += pairs
         if pairs:
-            text = _text(item, what)
+            text = text_of(item, what)
             taken = any(text == other.text for other in result.equations)
             label = f"given {place} 1,1" if len(said) == len(pairs) == 1 else ""
             result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,), label=label))
@@ -86,7 +86,7 @@ def _leading(difference: Any) -> Iterator[Any]:
     return (expanded.coeff(rate) for rate in sorted(expanded.atoms(sympy.Derivative), key=str))
 
 
-def _text(item: Any, what: str) -> str:
+def text_of(item: Any, what: str) -> str:
     """How a need on it is spelled: the equation, or its place in the list if it is a matrix."""
     if isinstance(item, sympy.Equality) and isinstance(item.lhs, sympy.Expr):
         return f"{item.lhs} = {item.rhs}"

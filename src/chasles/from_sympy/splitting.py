@@ -26,6 +26,7 @@ from chasles.from_sympy.by_squares import by_squares
 from chasles.from_sympy.complex_symbols import RealParts, in_rows, taken_as_real
 from chasles.from_sympy.defined import values_put_in
 from chasles.from_sympy.generalising import Decide
+from chasles.from_sympy.given import text_of
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.from_sympy.proof_by_cases import ProofByCases, read_need
 from chasles.from_sympy.remainders import modulus_of
@@ -63,7 +64,7 @@ class Splitting:
         self._left, self._right = parts.equal(self._left, self._right)
         declared = tuple(map(parts.nonzero, nonvanishing(self.nonzero)))
         items = listed(self.given, "given")
-        self._texts = [str(item) if not isinstance(item, sympy.Eq) else f"{item.lhs} = {item.rhs}" for _, item in items]
+        self._texts = [text_of(item, what) for what, item in items]
         sides_ = tuple((*(e for row in side.rows for e in row), *parts.met) for side in (self._left, self._right))
         pairs = tuple(found for what, item in items for pair in sides(item, what) for found in parts.pairs(*pair))
         self._whole = CheckedCase(sides_, pairs, declared)
