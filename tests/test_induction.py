@@ -29,6 +29,7 @@ TRUE: dict[str, tuple[Any, ...]] = {
     "factorials": (Sum(i * factorial(i), (i, 1, n)), factorial(n + 1) - 1),
     "two at once": (Sum(i, (i, 1, n)) + Sum(1 / (i * (i + 1)), (i, 1, n)), n * (n + 1) / 2 + n / (n + 1)),
     "by two": (Sum((-1) ** i * i, (i, 1, 2 * n)), n),
+    "between two numbers": (Sum(x * p**i, (i, 0, m)) * (1 - p), x * (1 - p ** (m + 1)), [x > 0, x < 1]),
     "with what is given": (Sum(q / (i * (i + 1)), (i, 1, n)), n / (n + 1), [Eq(q, 1)]),
 }
 FALSE: dict[str, tuple[Any, ...]] = {
@@ -123,6 +124,20 @@ def test_powers_and_factorials_are_compared_step_by_step(claim: Any, true: bool)
     if true and "induction" in getattr(verdict, "certificate", {}):
         with pytest.raises(Rejected):
             recheck(verdict, claim.func(claim.lhs, claim.rhs + 1))
+
+
+def test_a_need_on_a_bound_is_said_of_what_is_shown_by_induction() -> None:
+    question = (x ** (m + 1) <= x**m, None, [x >= 0, x <= 1])
+    verdict = prove(*question)
+    assert isinstance(verdict, HoldsUnder)
+    [need] = verdict.needs
+    assert need.startswith("x = ")
+    recheck(verdict, *question)
+    for needs in ((), (need, "x = 2"), (need, f"{m} = 0")):
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, needs=needs), *question)
+    with pytest.raises(Rejected):
+        recheck(verdict, question[0])
 
 
 def test_an_empty_product_is_one() -> None:

@@ -111,8 +111,9 @@ def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: 
         raise Untreatable(f"{what} is not treated, {type(error).__name__}{said_by}") from error
     if not isinstance(verdict, Holds | HoldsUnder):
         return verdict
-    poles = (f"{e} != 0" for e in set(expressions_in(asked[3])) - set(expressions_in(said)))
-    if used := [text for text in (*definitions(said, asked), *sorted(poles), *calls.defined) if text in verdict.unused]:
+    poles = sorted(f"{e} != 0" for e in set(expressions_in(asked[3])) - set(expressions_in(said)))
+    used = [text for text in (*definitions(said, asked), *calls.defined) if text not in verdict.needs]
+    if used := [*used, *(text for text in poles if text in verdict.unused)]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=(*said, claimed(lhs, rhs, given, way.get("whole", False))))
