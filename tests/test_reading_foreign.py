@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import sys
 from pathlib import Path
 
 import pytest
@@ -708,3 +710,18 @@ def test_the_angle_of_a_point_takes_two_numbers(text: str, status: str) -> None:
 def test_infinities_and_headings_of_rows(text: str, verdicts: list[str]) -> None:
     letters = {"symbols": {letter: {"is": "scalar"} for letter in ("y", "h", "E_{#}")}}
     assert [each.verdict for each in chasles.read(text, letters).equations] == verdicts
+
+
+def test_what_is_nested_too_deep_is_unread_and_what_follows_is_read() -> None:
+    equations = [PrintedEquation(f"y = {'h ' * 60}"), PrintedEquation("y = h")]
+    notation, limit = (
+        load_notation({"symbols": {"y": {"is": "scalar"}, "h": {"is": "scalar"}}}),
+        sys.getrecursionlimit(),
+    )
+    sys.setrecursionlimit(len(inspect.stack()) + 200)
+    try:
+        deep, plain = read_equations(equations, notation)
+    finally:
+        sys.setrecursionlimit(limit)
+    assert (deep.status, plain.status) == ("unread", "read")
+    assert deep.why.startswith("it is too long")

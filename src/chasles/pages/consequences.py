@@ -6,14 +6,16 @@ What agrees there is a conjecture, which the prover then decides.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from hashlib import sha256
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
-from chasles.pages.quantities import quantities, symbols_in
+from chasles.pages.quantities import quantities
 from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
@@ -43,6 +45,26 @@ Pair = tuple[Node, Node]
 Running = Mapping[Symbol, bool]
 
 
+class Digests(Fingerprints):
+    """Hashes of expressions by those of their parts and by what their letters mean: of a changed one little is new."""
+
+    def key(self, node: Node) -> str:
+        """The hash of an expression, with what it means where it is a letter."""
+        waiting, new = [node], list[Node]()
+        while waiting:
+            if id(part := waiting.pop()) not in self._hashes:
+                new.append(part)
+                waiting += part.below
+        for part in reversed(new):  # of the parts first, however deep
+            self.of(part)
+        return str(self._plain(node))
+
+    def _plain(self, value: Any) -> Any:
+        if not isinstance(value, Node):
+            return super()._plain(value)
+        return f"{self.of(value)} {value.meaning}" if isinstance(value, Symbol) else self.of(value)
+
+
 class Consequences:
     """Tells what may follow at one random motion; what satisfies the same equations is found once."""
 
@@ -51,8 +73,7 @@ class Consequences:
     ) -> None:
         self.motion = RandomMotion(facts)
         self._known = {} if known is None else known
-        self._keys: dict[int, tuple[Node, str]] = {}
-        self._fingerprints = Fingerprints()
+        self._digests = Digests()
         self._found: dict[tuple[frozenset[Pair], frozenset[Pair], int], RandomMotion | NotInMotion | None] = {}
         self._last: ValuesInMotion | None = None
 
@@ -62,18 +83,14 @@ class Consequences:
         What two rules say of one quantity and its rate holds too. Nothing follows where no motion satisfies all of it.
         """
         sides = (left, right, *(side for each in posed for side in (each.left, each.right)))
-        told = (f"{self._key(symbol)}{'.' * order} {self._key(rule.right)}" for (symbol, order), rule in rules.items())
-        key = sha256("\n".join([*map(self._key, sides), *sorted(told)]).encode()).hexdigest()
+        told = (
+            f"{self._digests.key(symbol)}{'.' * order} {self._digests.key(rule.right)}"
+            for (symbol, order), rule in rules.items()
+        )
+        key = sha256("\n".join([*map(self._digests.key, sides), *sorted(told)]).encode()).hexdigest()
         if key not in self._known:
             self._known[key] = self._may_follow(left, right, rules, posed)
         return self._known[key]
-
-    def _key(self, node: Node) -> str:
-        """What an expression is, and of which kinds its symbols are."""
-        if id(node) not in self._keys:
-            meanings = sorted({f"{symbol.name} {symbol.meaning}" for symbol in symbols_in((node,))})
-            self._keys[id(node)] = node, f"{self._fingerprints.of(node)} {meanings}"
-        return self._keys[id(node)][1]
 
     def _may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation]) -> bool | None:
         pairs = (*((each.left, each.right) for each in posed), *_agreements(rules))
@@ -131,8 +148,13 @@ class Consequences:
 
 
 def _running(sides: Iterable[Node]) -> Running:
-    integrals = [part for side in sides for part in walk(side) if isinstance(part, Integral)]
+    integrals = (each for side in sides for each in _integrals(side))
     return {symbol: symbol != each.density for each in integrals for symbol in each.running}
+
+
+@lru_cache(maxsize=4096)
+def _integrals(side: Node) -> tuple[Integral, ...]:
+    return tuple(part for part in walk(side) if isinstance(part, Integral))
 
 
 def _agreements(rules: Rules) -> Iterator[Pair]:

@@ -52,6 +52,8 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
             read = ReadEquation(equation, (), str(problem), problem.place.column if problem.place else None)
         except BadPage as problem:
             read = ReadEquation(equation, (), str(problem), problem.column)
+        except RecursionError:
+            read = ReadEquation(equation, (), "it is too long, or nested too deep: write it as several")
         found.append(read)
     return settled(found)
 
