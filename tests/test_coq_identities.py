@@ -43,6 +43,7 @@ from sympy import (
     atan,
     atan2,
     cos,
+    cosh,
     cot,
     coth,
     exp,
@@ -285,10 +286,53 @@ def test_what_there_is_no_proof_of_has_a_reason(question: tuple[Any, ...], reaso
     assert reason in claim.why_not
 
 
-def test_only_what_holds_is_a_theorem() -> None:
-    question = sqrt(x**2), x
-    with pytest.raises(TypeError, match="fails"):
+def test_only_what_is_decided_is_a_theorem() -> None:
+    question = x, y, [Eq(x, 1), Eq(x, 2)]
+    with pytest.raises(TypeError, match="contradictory"):
         as_theorem(prove(*question), *question)
+
+
+FAILING: list[tuple[Any, ...]] = [
+    (x**2 / y, x),
+    (sin(x + y), sin(x) * cos(y) - cos(x) * sin(y)),
+    (tan(x / 2), 2 * (1 - cos(x)) / sin(x)),
+    (cos(p * t) * cos(q * t), (cos((p - q) * t) + cos((p + q) * t)) / 2 + 1),
+    (Matrix([[u, v]]), Matrix([[u, u]])),
+    (sqrt(x**2), x),
+    (Abs(u + v), Abs(u) + Abs(v)),
+    (Piecewise((1, u > 0), (0, Eq(u, 0)), (-1, True)), -sign(u)),
+    (Max(u, v), u, [u > v - 1]),
+    (u * v, 1, [Eq(u + v, 2), Eq(u - v, 1)]),
+    (u, v, [Eq(u**2, v**2)]),
+    (exp(x) + cosh(x), x + 1),
+    (tanh(x) + acos(x), pi),
+    (u < v, None, [u <= v]),
+    (Implies(u > 0, u > 1),),
+    (And(u > 0, u**2 > 0), None, [u > -1]),
+    (u * v <= u**2 + v**2 - 1,),
+]
+
+
+def test_a_refutation_says_where_the_sides_are_defined() -> None:
+    assert asked(1, *FAILING[0]).said == (
+        "Definition identity_1 : Prop := ~ (\n  forall (x y : R),\n  y <> 0 ->\n  x ^ 2 / y = x).\n"
+    )
+    assert "  u - v = 1 ->\n  u * v = 1)." in asked(1, *FAILING[9]).said
+
+
+@pytest.mark.parametrize(
+    ("question", "reason"),
+    [
+        ((f.diff(t), f), "a point at which something moves"),
+        ((k**2, k), "whole or rational numbers"),
+        ((sqrt(p + q), sqrt(p) + sqrt(q)), "the values are not rational"),
+        ((floor(x), x), "floor is no word of the theories"),
+        ((p**u, u**p, [u > 0]), "the values are not rational"),
+    ],
+)
+def test_what_there_is_no_refutation_of_has_a_reason(question: tuple[Any, ...], reason: str) -> None:
+    with pytest.raises(ValueError, match=f"^there is no theorem for Coq: .*{reason}"):
+        prove(*question).coq()
 
 
 def test_a_verdict_writes_its_theorem() -> None:
@@ -305,7 +349,6 @@ def test_a_verdict_writes_its_theorem() -> None:
 def test_coq_accepts_them_and_nothing_else(coq_cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CHASLES_CACHE", str(coq_cache))
     true = [asked(number, *question) for number, question in enumerate([*FIRST, *MORE] if WHOLE else FIRST)]
-    assert [claim.why_not for claim in true if claim.why_not] == []
     false = []
     for claim in true[: 3 if WHOLE else 1]:
         name = claim.name.replace("identity", "mutant")
@@ -313,7 +356,13 @@ def test_coq_accepts_them_and_nothing_else(coq_cache: Path, monkeypatch: pytest.
         false.append(
             replace(claim, name=name, said=f"{head}{end}1 + {last}", proof=claim.proof.replace(claim.name, name))
         )
+    true += [asked(100 + number, *question) for number, question in enumerate(FAILING)]
+    for claim in true[-len(FAILING) :][: None if WHOLE else 2]:  # what fails at another point only, and what holds
+        name = claim.name.replace("identity", "mutant")
+        said = re.sub(r"\n  ([^\n]*)\)\.\n$", r"\n  0 = 0).\n", claim.said).replace(claim.name, name)
+        false.append(replace(claim, name=name, said=said, proof=claim.proof.replace(claim.name, name)))
     broken = replace(asked(99, *FIRST[0]), said="Definition identity_99 : Prop := no_such_word.\n")
+    assert [claim.why_not for claim in true if claim.why_not] == []
     # Where a statement is refused, the others of its file are judged without it.
     parts = [*chunks(true), *(replace(part, number="false") for part in chunks([*false, broken, asked(98, *FIRST[0])]))]
     found = {each.claim.name: each for each in verdicts_of_coq(parts)}

@@ -66,9 +66,9 @@ def prove(
             it is refused.
 
     Returns:
-        `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks, and a method `coq` that writes a
-        theorem for Coq; `Fails`, with an exact counterexample; `Contradictory`, if nothing satisfies the side
-        conditions; `IllFormed`, if the shapes differ; or `Undecided`.
+        `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks; `Fails`, with an exact counterexample;
+        `Contradictory`, if nothing satisfies the side conditions; `IllFormed`, if the shapes differ; or `Undecided`.
+        The first three have a method `coq` that writes a theorem for Coq.
 
     Raises:
         Untreatable: a ValueError that names what is not treated.
@@ -109,11 +109,12 @@ def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: 
         what = excerpt(lhs) if rhs is None else f"{excerpt(lhs)} = {excerpt(rhs)}"
         said_by = f": {error}" if str(error) else ""
         raise Untreatable(f"{what} is not treated, {type(error).__name__}{said_by}") from error
-    if not isinstance(verdict, Holds | HoldsUnder):
+    if not isinstance(verdict, Holds | HoldsUnder | Fails):
         return verdict
     poles = sorted(f"{e} != 0" for e in set(expressions_in(asked[3])) - set(expressions_in(said)))
     used = [text for text in (*definitions(said, asked), *calls.defined) if text not in verdict.needs]
-    if used := [*used, *(text for text in poles if text in verdict.unused)]:
+    used += [text for text in poles if text in verdict.unused]
+    if used and not isinstance(verdict, Fails):
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=(*said, claimed(lhs, rhs, given, way.get("whole", False))))

@@ -75,17 +75,15 @@ class Assumed(Verdict):
 
 
 @dataclass(frozen=True, slots=True)
-class _Proved(Verdict):
+class _Asked(Verdict):
     def coq(self, name: str = "identity") -> str:
-        """The statement that `prove` was asked for and its proof, for Coq, with the theories of `decide --coq`.
+        """What `prove` was asked, or that it fails, and its proof, for Coq, with the theories of `decide --coq`.
 
         Raises ValueError with the reason where there is none: no question was kept, or there are no words for it.
         """
         asked: tuple[Any, ...] = self.asked  # type: ignore[attr-defined]
         if not asked:
-            raise ValueError(
-                "only a verdict of chasles.prove is told to Coq; `chasles decide --coq` does so for a chapter"
-            )
+            raise ValueError("only a verdict of chasles.prove is told to Coq; for a chapter: `chasles decide --coq`")
         claim = theorems().as_theorem(self, *asked, name=name)
         if not claim.proof:
             raise ValueError(f"there is no theorem for Coq: {claim.why_not}")
@@ -93,7 +91,7 @@ class _Proved(Verdict):
 
 
 @dataclass(frozen=True, slots=True)
-class Holds(_Proved):
+class Holds(_Asked):
     """Proved without any hypothesis. `certificate` is re-checked by `chasles.checker.certificate`."""
 
     name: ClassVar[str] = "holds"
@@ -104,7 +102,7 @@ class Holds(_Proved):
 
 
 @dataclass(frozen=True, slots=True)
-class HoldsUnder(_Proved):
+class HoldsUnder(_Asked):
     """Proved from the hypotheses `needs`; those in `unused` are declared and not needed."""
 
     name: ClassVar[str] = "holds-under"
@@ -116,13 +114,14 @@ class HoldsUnder(_Proved):
 
 
 @dataclass(frozen=True, slots=True)
-class Fails(Verdict):
+class Fails(_Asked):
     """Refuted by an exact counterexample."""
 
     name: ClassVar[str] = "fails"
     true: ClassVar[bool] = False
     wrong: ClassVar[bool] = True
     counterexample: Counterexample
+    asked: tuple[Any, ...] = field(default=(), compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,11 +24,12 @@ from chasles.coq.own_inequalities import OwnInequalities, as_asked
 from chasles.coq.plain import PlainExpressions, text_of
 from chasles.coq.proof import theorem
 from chasles.coq.roots import root, words_named
+from chasles.coq.scalar_points import as_refutation
 from chasles.coq.sentences import NOW, Claimed, claiming, equal_rates, holding, introduced
 from chasles.coq.turns import inverse, turned
 from chasles.from_sympy.components import sides_of
 from chasles.from_sympy.monotone import plainer
-from chasles.verdict import Holds, HoldsUnder, Verdict
+from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
 SQUARE = re.compile(r"square (\d+) (\d+),1")
@@ -65,6 +66,8 @@ def as_theorem(
     Where the sides stand for an inequality, or for what joins several relations, that is `claimed`. Where there is no
     proof, or not even a statement, `why_not` says why. Raises TypeError for what does not hold.
     """
+    if isinstance(verdict, Fails):
+        return as_refutation(verdict.counterexample, lhs, rhs, given, nonzero, claimed, name)
     if not isinstance(verdict, Holds | HoldsUnder):
         raise TypeError(f"the verdict is {verdict.name}: only what holds is a theorem")
     claim = Claimed(name, "asked", name, f"{lhs} = {rhs}" if claimed is None else str(claimed))
