@@ -93,6 +93,7 @@ class ScalarValues:
         return value
 
     def of(self, node: w.Node) -> Any:
+        """The value of a scalar at the point, in the angles whose cosine and sine are known."""
         match node:
             case w.Number():
                 return sympy.Rational(node.value.numerator, node.value.denominator)
