@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from hashlib import sha256
 from itertools import chain
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -176,18 +177,19 @@ def satisfying(
     _residual(equations, ValuesInMotion(known, rules, running, terms))
     keys = [key for key in known.numbers if not key[1]]
     numbers = {key: known.numbers[key][:, :, :, :1].copy() for key in known.numbers}
-    places = [(key, place) for key in keys for place in np.ndindex(*key[0].shape, 1 if key[0].constant else terms)]
-    if len(places) > MOST_NUMBERS:
+    shapes = {key: (*key[0].shape, 1 if key[0].constant else terms) for key in keys}
+    count = sum(map(prod, shapes.values()))
+    if count > MOST_NUMBERS:
         raise NotInMotion
-    shifts = SMALL_CHANGE * np.eye(len(places), 1 + len(places), 1)
+    shifts = SMALL_CHANGE * np.eye(count, 1 + count, 1)
 
     def residual_at(step: Array) -> tuple[Array, float, float]:
         """What is left there, and beside it for each number changed a little; the size of the sides, what is left."""
-        values = _at(motion, numbers, places, step[:, None] + shifts, rules, running, terms)
-        found, size = _residual(equations, values)
+        lanes = _changed(numbers, shapes, step[:, None] + shifts)
+        found, size = _residual(equations, ValuesInMotion(motion.with_numbers(lanes), rules, running, terms))
         return found, size, float(np.max(np.abs(found[:, 0])))
 
-    residual, size, left = residual_at(np.zeros(len(places)))
+    residual, size, left = residual_at(np.zeros(count))
     for _ in range(STEPS):
         if not np.all(np.isfinite(residual)):
             raise NotInMotion
@@ -199,8 +201,7 @@ def satisfying(
                 break
         else:
             return None
-        for (key, place), change in zip(places, part * whole, strict=True):
-            numbers[key][*place, 0] += change
+        numbers = _changed(numbers, shapes, part * whole[:, None])
         if left < PRECISION * size:
             return motion.with_numbers(numbers)
     raise NotInMotion
@@ -220,15 +221,15 @@ def _least_solution(slopes: Array, wanted: Array) -> Array:
     return np.asarray(slopes.T @ found if is_wide else found)
 
 
-def _at(
-    motion: RandomMotion, numbers: Mapping[Key, Array], places: Sequence[tuple[Key, tuple[int, ...]]], steps: Array,
-    rules: Rules, running: Running, terms: int,
-) -> ValuesInMotion:  # fmt: skip
-    """The values where numbers at places are changed by each of the columns of steps, one beside the other."""
-    lanes = {key: np.repeat(numbers[key], steps.shape[1], axis=3) for key in dict.fromkeys(key for key, _ in places)}
-    for (key, place), changes in zip(places, steps, strict=True):
-        lanes[key][*place] += changes[:, None]
-    return ValuesInMotion(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
+def _changed(numbers: Mapping[Key, Array], shapes: Mapping[Key, tuple[int, ...]], steps: Array) -> dict[Key, Array]:
+    """The numbers changed by each of the columns of steps, one beside the other; those of these shapes are changed."""
+    found, start = dict(numbers), 0
+    for key, shape in shapes.items():
+        end = start + prod(shape)
+        found[key] = np.repeat(numbers[key], steps.shape[1], axis=3)
+        found[key][:, :, : shape[2]] += steps[start:end].reshape(*shape, -1, 1)
+        start = end
+    return found
 
 
 def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array, float]:
@@ -237,11 +238,12 @@ def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array,
     for left, right in equations:
         for one, other in zip(*(chain.from_iterable(values(side)) for side in (left, right)), strict=True):
             n = min(len(one), len(other))
-            size = max(size, float(np.max(np.abs(one.terms))), float(np.max(np.abs(other.terms))))
+            size = max(size, float(np.abs(one.terms).max()), float(np.abs(other.terms).max()))
             apart = one.terms[:n] - other.terms[:n]
-            rows.append(np.moveaxis(apart, -1, 1).reshape(-1, apart.shape[-2]))
+            rows.append(apart.transpose(0, 2, 1).reshape(-1, apart.shape[1]))
     width = max(row.shape[1] for row in rows)
-    return np.concatenate([np.broadcast_to(row, (row.shape[0], width)) for row in rows]), size
+    wide = (row if row.shape[1] == width else np.broadcast_to(row, (row.shape[0], width)) for row in rows)
+    return np.concatenate([*wide]), size
 
 
 def _equal(left: Matrix, right: Matrix) -> bool | None:

@@ -26,7 +26,8 @@ class TimeSeries:
 
     def __init__(self, terms: Array, reach: int | None = None) -> None:
         self.terms = terms
-        self.reach = len(terms) if reach is None else min(reach, len(terms))
+        n = len(terms)
+        self.reach = n if reach is None or reach > n else reach
 
     def first(self, n: int) -> TimeSeries:
         """The first n coefficients."""
