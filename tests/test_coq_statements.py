@@ -18,7 +18,7 @@ from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import claims_of
 from chasles.decisions.decision import Decision
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Inverse, Theorem, load, problem_of
+from chasles.statements import Claim, Condition, Inverse, Theorem, load, problem_of, unit
 from chasles.statements.forms import Always, Form, Iff, Minimum
 from chasles.statements.inequalities import says_that
 from chasles.statements.inversion import COVER, problems_of_inverse
@@ -423,3 +423,13 @@ def test_what_coq_is_not_told_has_a_reason(claim: Claim, reason: str) -> None:
     first, *_ = claims_of([Session().decide(claim)])
     assert bool(first.proof) == (not reason)
     assert reason in first.why_not
+
+
+def test_that_a_statement_with_functions_fails_is_said_entry_by_entry() -> None:
+    number = w.scalar("x", "x", "a number")
+    normal = w.vector("n", "n", "a direction")
+    wrong = Claim("1", abs(number) * normal, number * normal, assuming=(unit(normal),))
+    claim = next(claims_of([Session().decide(wrong)]))
+    assert claim.said.startswith("Definition eq_1_fails : Prop := ~ (")
+    assert "n_1 * Rabs x = n_1 * x" in claim.said
+    assert claim.proof

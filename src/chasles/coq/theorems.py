@@ -20,7 +20,7 @@ from chasles.decisions.decision import HOW, Decision, Sentence, key_of
 from chasles.statements import Inverse, Problem, Statement, Theorem
 from chasles.statements.inversion import COVER, problems_of_inverse
 from chasles.statements.premises import IN_FULL
-from chasles.verdict import Contradictory, Fails, HoldsUnder, IllFormed, Verdict
+from chasles.verdict import Contradictory, Counterexample, Fails, HoldsUnder, IllFormed, Verdict
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.measure import Misfit, uniform
 
@@ -53,9 +53,8 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
     elif isinstance(verdict, Fails) and not isinstance(sentence, Inverse):
         name = _fresh(f"{stem}_fails", taken)
         problem = decision.problem(sentence, True)
-        found = verdict.counterexample
         claim = Claimed(key, f"{HOW[form]}, which fails", name, sentence.says, whole=not isinstance(sentence, Theorem))
-        yield _written(claim, problem, failing, lambda said: refutation(name, said, found))
+        yield _failing(claim, problem, verdict.counterexample)
     elif isinstance(verdict, Fails | IllFormed | Contradictory):
         fault = {"fails": "fails", "ill-formed": "does not fit together"}.get(verdict.name, "is contradictory")
         why_not = f"no theorem says yet that it {fault}"
@@ -76,6 +75,18 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
             yield from _theorem(claim, sentence, problem, certificate)
         else:
             yield from _claimed(claim, problem, certificate)
+
+
+def _failing(claim: Claimed, problem: Problem, found: Counterexample) -> Claimed:
+    """That a statement fails; entry by entry where it has functions."""
+    if not any(part.has_no_polynomial_form for side in problem.sides for part in w.walk(side)):
+        return _written(claim, problem, failing, lambda said: refutation(claim.name, said, found))
+    from chasles.checker.expressions.scalars import scalar_question  # loads SymPy
+    from chasles.coq.scalar_points import as_refutation
+
+    asked = scalar_question(problem, proving=False)
+    shown = as_refutation(found, asked.left, asked.right, asked.given, asked.nonzero, name=claim.name)
+    return replace(claim, said=shown.said, proof=shown.proof, why_not=shown.why_not)
 
 
 def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
