@@ -430,6 +430,6 @@ def test_that_a_statement_with_functions_fails_is_said_entry_by_entry() -> None:
     normal = w.vector("n", "n", "a direction")
     wrong = Claim("1", abs(number) * normal, number * normal, assuming=(unit(normal),))
     claim = next(claims_of([Session().decide(wrong)]))
-    assert claim.said.startswith("Definition eq_1_fails : Prop := ~ (")
+    assert claim.said.startswith("Definition eq_1_1_fails : Prop := ~ (")
     assert "n_1 * Rabs x = n_1 * x" in claim.said
     assert claim.proof
