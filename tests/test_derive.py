@@ -14,8 +14,8 @@ from click.testing import CliRunner, Result
 from chasles.cli import main
 from chasles.cli.answers import chosen_derivations
 from chasles.decisions.memory import Memory
+from chasles.decisions.recalled import shipped
 from chasles.decisions.session import Session
-from chasles.decisions.shipped import shipped
 from chasles.deriving import CheckedDerivation, CheckedStep, state, steps, walk
 from chasles.statements import Claim, DeclarationError, Statement, load
 from chasles.statements.derivation import (

@@ -21,8 +21,8 @@ from chasles.cli.answers import answers
 from chasles.decisions.kept_answers import repairs_stand, verdict_stands
 from chasles.decisions.memory import Memory
 from chasles.decisions.plain_data import from_data, to_data
+from chasles.decisions.recalled import ANSWERS, shipped
 from chasles.decisions.session import Session
-from chasles.decisions.shipped import ANSWERS, shipped
 from chasles.deriving import walk
 from chasles.exercises.solving import solve_with
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, problem_of, unit

@@ -8,8 +8,8 @@ from typing import Any
 
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.decisions.memory import Memory
+from chasles.decisions.recalled import ANSWERS, as_text
 from chasles.decisions.session import Session
-from chasles.decisions.shipped import ANSWERS, as_text
 from chasles.deriving import walk
 from chasles.report.screen import progress
 from chasles.statements import Chapter, DeclarationError

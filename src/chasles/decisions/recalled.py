@@ -1,5 +1,6 @@
 """What is known before anything is decided: what the chapter brings along, and what earlier runs found.
 
+What a chapter brings along is text that people can read; each stands by its question's hash, under what asked first.
 Verdicts are kept from one run to the next in a file for this version of the engine, written whole or not at all.
 
 CHASLES_CACHE names another folder; empty, it turns the cache off. Nothing in the file is believed: what comes from it
@@ -11,16 +12,17 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from contextlib import suppress
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from chasles import cache
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
-from chasles.decisions.shipped import shipped
 from chasles.statements import Chapter
 from chasles.statements.chapter import bases
 from chasles.statements.elsewhere import chapter_of
+from chasles.statements.packages import generated_package
 
 ENGINE = (
     *("vocabulary", "evaluation", "statements", "rewriting", "algebra", "verdict", "checker", "problems", "points"),
@@ -83,3 +85,27 @@ def path_of(name: str, parts: tuple[str, ...]) -> Path | None:
     """The file of the engine that has these parts; None where nothing is to be kept."""
     folder = cache.folder()
     return None if folder is None else folder / f"{name}-{cache.engine(parts, LIBRARIES)[:16]}.json"
+
+
+ANSWERS = "ANSWERS.json"
+
+
+def shipped(package: str) -> dict[str, Any]:
+    """The answers that a chapter's package brings, by question; none where it brings none that can be read."""
+    try:
+        text = files(generated_package(package)).joinpath(ANSWERS).read_text("utf-8")
+        groups = json.loads(text)
+        return {key: answer for answers in groups.values() for key, answer in answers.items()}
+    except (ModuleNotFoundError, OSError, ValueError, AttributeError):
+        return {}
+
+
+def as_text(groups: Mapping[str, Mapping[str, Any]]) -> str:
+    """The text of the file: the answers of each group, one on a line."""
+    parts = []
+    for asking, answers in groups.items():
+        lines = ",\n".join(
+            f"  {json.dumps(key)}: {json.dumps(answer, ensure_ascii=False)}" for key, answer in answers.items()
+        )
+        parts.append(f" {json.dumps(asking, ensure_ascii=False)}: {{\n{lines}\n }}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"

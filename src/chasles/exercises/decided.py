@@ -8,8 +8,8 @@ from typing import Any
 
 from chasles.decisions.decision import Decision, DoesNotStand
 from chasles.decisions.memory import Memory
+from chasles.decisions.recalled import shipped
 from chasles.decisions.session import Session
-from chasles.decisions.shipped import shipped
 from chasles.deriving import walk
 from chasles.exercises.solution import Citation, SolutionStep, note, stated
 from chasles.statements import Claim, Inverse, Statement, Theorem, load
