@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
-from fractions import Fraction
-from itertools import islice
 
 from chasles import vocabulary as w
 from chasles.repairs.factors import Factors, declared_inverses
@@ -58,7 +56,6 @@ class Nearest:
             return
         kinds = (
             self._one_change,
-            self._misread_letters,
             self._other_objects,
             self._several_changes,
             self._inner_changes,
@@ -78,9 +75,9 @@ class Nearest:
         except REFUSED:
             return False
 
-    def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
+    def single_changes(self, left: Node, right: Node) -> Iterator[Change]:
         """One change to the right side; in a second turn, with letters that it does not have."""
-        for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
+        for turn, (test, basis) in enumerate(self._tests(left, right)):
             changes = [*self._edits(test, turn), *other_terms(test, basis)]
             turned = [*self._edits(test.turned, turn)]
             if isinstance(right, w.Zero):
@@ -109,12 +106,6 @@ class Nearest:
             if self.agree(left, meant):
                 yield Change(left, meant, (words,), effort)
         yield from self.single_changes(left, right)
-
-    def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
-        """Another letter for one that nothing introduces, and one change more."""
-        for meant, words, _ in self.introduced(left, right):
-            for change in self.single_changes(left, meant, turns=1):
-                yield with_fields(change, words=(words, *change.words))
 
     def _holds(self, test: ModularTest, change: Change) -> bool:
         if bare(change.left) == bare(change.right):
@@ -165,17 +156,14 @@ class Nearest:
             key = left, right, turn
             if key not in self._known_tests:
                 order = max(map(_order, nodes)) if turn else 0
-                halves = _half_angles(nodes) if turn else []
-                self._known_tests[key] = self._tried(left, right, term_basis(nodes, self.own, order), halves)
+                self._known_tests[key] = self._tried(left, right, term_basis(nodes, self.own, order))
             test, basis = self._known_tests[key]
             if test is not None:
                 yield test, basis
 
-    def _tried(
-        self, left: Node, right: Node, basis: TermBasis, more: list[Node]
-    ) -> tuple[ModularTest | None, TermBasis]:
+    def _tried(self, left: Node, right: Node, basis: TermBasis) -> tuple[ModularTest | None, TermBasis]:
         try:
-            test = modular_test(self.statement, left, right, self.accepted, (*basis.nodes, *more))
+            test = modular_test(self.statement, left, right, self.accepted, basis.nodes)
             failing = test is not None and any(test.residual(test.probe)) and any(test.residual(test.varied))
         except REFUSED:
             return None, basis
@@ -224,12 +212,6 @@ def _order(node: Node) -> int:
     if isinstance(node, w.Rate):
         return 1 + _order(node.of)
     return max(map(_order, w.children(node)), default=0)
-
-
-def _half_angles(nodes: Iterable[Node]) -> list[Node]:
-    """The cosines of half of the angles that occur."""
-    calls = dict.fromkeys(part.argument for node in nodes for part in w.walk(node) if isinstance(part, w.Call))
-    return [w.Call("cos", w.Quotient(angle, w.Number(Fraction(2)))) for angle in calls]
 
 
 def _symbols(nodes: Iterable[Node]) -> list[w.Symbol]:

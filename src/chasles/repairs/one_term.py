@@ -1,7 +1,7 @@
 """One change to the right side: another coefficient, a term left out, a term that was missing.
 
 A change must contribute the residual of the equation, which is known. So each is tested by comparing two columns of
-residues, and a coefficient that depends on angles is the solution of a small linear system.
+residues, and the coefficient of a term that was missing is the solution of a small linear system.
 """
 
 from __future__ import annotations
@@ -83,8 +83,6 @@ def new_coefficients(test: ModularTest) -> Iterator[Change]:
         if number is not None:
             new, words = rescaled(place.node, number + 1)
             yield Change(test.left, put(test.right, place.path, new), (words,), other_number(number + 1))
-        elif not place.inside and not (place.node.is_scalar and place.path):
-            yield from _refitted(test, place, residual, contribution)
 
 
 def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
@@ -93,20 +91,6 @@ def rescaled(term: Node, number: Fraction) -> tuple[Node | None, str]:
     if new is None:
         return None, f"the term {plain(term)} is left out"
     return new, f"the sign of {plain(term)} is turned" if number == -1 else instead(new, term)
-
-
-def _refitted(test: ModularTest, place: Place, residual: Column, contribution: Column) -> Iterator[Change]:
-    """A coefficient that depends on angles: first it is seen whether any number would do where the angles are fixed."""
-    core = test.split(place.node).core
-    core = ONE if core is None else core
-    if multiple(plus(residual, contribution), test.contribution(test.probe, place, core)) is None:
-        return
-    wanted = plus(test.residual(test.varied), test.contribution(test.varied, place))
-    found = fitted(test, [test.contribution(test.varied, place, core)], wanted)
-    if found and (coefficient := spelled(found[0])) is not None:
-        new = times(coefficient, core)
-        right, words = put(test.right, place.path, new), (instead(new, place.node),)
-        yield Change(test.left, right, words, other_coefficient(found[0]))
 
 
 def fitted(test: ModularTest, cores: Sequence[Column], wanted: Column) -> list[Coefficient] | None:
