@@ -14,7 +14,7 @@ from sympy import Rational, acos, asin, atan, cos, cosh, erf, exp, floor, log, p
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.visible import signs_of
 from chasles.prove import Rejected, Untreatable, prove, recheck
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 
 x, y = sp.symbols("x y")
 p, q, r = sp.symbols("p q r", positive=True)
@@ -319,6 +319,59 @@ def test_what_rises_is_greater_where_its_argument_is(claim: Any, given: Any, tru
     verdict = prove(claim, given=given)
     assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
     recheck(verdict, claim, given=given)
+
+
+m = sp.Symbol("m", integer=True, nonnegative=True)
+FOLLOWING: list[tuple[Any, list[Any], bool]] = [
+    (exp(x * y) >= 1 + x * y, [], True),
+    (log(1 + 1 / p) < 1 / p, [], True),
+    (cos(x * y) >= 1 - x**2 * y**2 / 2, [], True),
+    (exp(sqrt(p)) >= 1 + sqrt(p), [], True),
+    (sin(sqrt(p)) < sqrt(p), [], True),
+    (1 + sin(x) <= exp(sin(x)), [], True),
+    (cos(y) < cos(x), [x >= 0, x < y, y <= sp.pi], True),
+    (sin(x) <= sin(y), [x >= -sp.pi / 2, x <= y, y <= sp.pi / 2], True),
+    (sp.tan(x) < sp.tan(y), [x > -sp.pi / 2, x < y, y < sp.pi / 2], True),
+    (-2 * cos(x) < -1, [x > -sp.pi / 3, x < sp.pi / 3], True),
+    (x**m <= 1, [x >= 0, x <= 1], True),
+    (exp(x * y) > 1 + x * y, [], False),
+    (log(1 + 1 / p) < 1 / (2 * p), [], False),
+    (exp(x * y) >= 1 + x * y + sp.Symbol("u_1", real=True) ** 2, [], False),
+    (cos(y) <= cos(x), [x >= 0, x <= y], False),
+    (sin(x) <= sin(y), [x >= -sp.pi / 2, x <= y, y <= sp.pi], False),
+    (cos(x) > Rational(1, 2), [x >= -sp.pi / 3, x < sp.pi / 3], False),
+    (x**m < 1, [x >= 0, x < 1], False),
+]
+
+
+@pytest.mark.sampled(5)
+@pytest.mark.parametrize(("claim", "given", "true"), FOLLOWING, ids=str)
+def test_what_follows_from_another_claim_is_proved_by_that(claim: Any, given: Any, true: bool) -> None:
+    verdict = prove(claim, given=given)
+    assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
+    recheck(verdict, claim, given=given)
+
+
+def test_a_name_has_all_values_of_what_it_names() -> None:
+    u = sp.Symbol("u_1", real=True)  # a symbol of the question is no new name
+    assert isinstance(prove(exp(x * y) >= 1 + x * y, given=[u > 2]), Undecided)
+    z, w = sp.symbols("z w", complex=True)
+    assert not prove(exp(z * w) >= 1 + z * w).true
+    verdict = prove(exp(x * y) >= 1 + x * y)
+    assert verdict.needs == ("u_1 = x*y",)
+    for needs in ((), ("u_1 = x",)):
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, needs=needs), exp(x * y) >= 1 + x * y)
+    with pytest.raises(Rejected):
+        recheck(verdict, exp(x * y) >= 2 + x * y)
+
+
+def test_a_claim_is_not_refuted_by_one_from_which_it_follows() -> None:
+    stronger = Fails(
+        Counterexample({"x": Fraction(4)}, (1, 1), "0", "1")
+    )  # 4 is not between the ends of a quarter turn
+    with pytest.raises(Rejected):
+        recheck(stronger, sin(x) <= 1)
 
 
 def test_what_rises_is_to_be_defined() -> None:

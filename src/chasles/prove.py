@@ -24,6 +24,7 @@ from chasles.from_sympy.inequalities import Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt
+from chasles.from_sympy.sufficient import where_it_rises, with_name
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
@@ -74,12 +75,18 @@ def prove(
         Untreatable: a ValueError that names what is not treated.
     """
     given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
-    verdict = _proved(lhs, rhs, given, nonzero, budget, exact)
-    for way in _other_ways(lhs, rhs, given) if isinstance(verdict, Contradictory | Undecided) else ():
+    verdict: Verdict | Untreatable
+    try:
+        verdict = _proved(lhs, rhs, given, nonzero, budget, exact)
+    except Untreatable as error:
+        verdict = error
+    for way in _other_ways(lhs, rhs, given) if isinstance(verdict, Contradictory | Undecided | Untreatable) else ():
         with suppress(Untreatable):
             other = _proved(lhs, rhs, given, nonzero, budget, exact, **way)
-            if isinstance(other, Holds | HoldsUnder | Fails):
+            if isinstance(other, Holds | HoldsUnder) or (isinstance(other, Fails) and not _only_proves(way)):
                 return other
+    if isinstance(verdict, Untreatable):
+        raise verdict
     return verdict
 
 
@@ -88,7 +95,15 @@ def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, Any]]:
     if is_implication(lhs, rhs, given):
         yield {"whole": True}
     claim = without_implication(lhs, given)[0]
-    yield from ({"other": said} for said in (plainer, stepwise) if rhs is None and said(claim) is not claim)
+    for said in (plainer, stepwise, with_name, where_it_rises) if rhs is None else ():
+        with suppress(RecursionError, Rejected, *FAILURES):
+            if said(claim) is not claim:
+                yield {"other": said}
+
+
+def _only_proves(way: Mapping[str, Any]) -> bool:
+    """Whether a claim that is read so follows from what is read, and not the other way round."""
+    return way.get("other") is where_it_rises
 
 
 def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: Any) -> Verdict:
@@ -163,6 +178,8 @@ def recheck(
     ways: list[Mapping[str, Any]] = [{}, *_other_ways(lhs, rhs, given)]
     reasons: list[Exception] = []
     for way in ways:
+        if isinstance(verdict, Fails) and _only_proves(way):
+            continue
         try:
             return _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero, **way))
         except (Untreatable, Rejected) as reason:

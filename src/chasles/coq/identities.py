@@ -29,6 +29,7 @@ from chasles.coq.sentences import NOW, Claimed, claiming, equal_rates, holding, 
 from chasles.coq.turns import inverse, turned
 from chasles.from_sympy.components import sides_of
 from chasles.from_sympy.monotone import plainer
+from chasles.from_sympy.sufficient import where_it_rises, with_name
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
@@ -75,8 +76,13 @@ def as_theorem(
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
-        if claimed is not None and plainer(claimed) is not claimed and sides_of(claimed)[0] not in (lhs, *lhs.args):
-            raise Unsaid("no proof is written of what an increasing function of both sides says")
+        other = claimed is not None and any(
+            said(claimed) is not claimed for said in (plainer, with_name, where_it_rises)
+        )
+        if other and sides_of(claimed)[0] not in (lhs, *lhs.args):
+            raise Unsaid(
+                "no proof is written of what another claim says, as that of an increasing function of both sides"
+            )
         question = as_asked((lhs, rhs, given, nonzero), claimed)
         needs = tuple(need for need in verdict.needs if need not in question.spelled)
         statement = ScalarStatement(question.asked, needs, question.values, claimed)

@@ -22,7 +22,7 @@ EVERYWHERE = (
     sympy.conjugate, sympy.Piecewise, AppliedUndef,
 )  # fmt: skip
 """Functions that have a value wherever their arguments have one."""
-BINDING = ExprWithLimits | sympy.Derivative | sympy.Subs
+BINDING = (ExprWithLimits, sympy.Derivative, sympy.Subs)
 ABOVE: Mapping[type, Callable[[Any, Any], tuple[Any, ...]]] = {
     sympy.binomial: lambda n, k: () if k.is_Integer else (n + 1,), sympy.rf: lambda x, n: (x + n,),
     sympy.ff: lambda x, n: (x + 1,), sympy.beta: lambda x, y: (x, y),
@@ -87,7 +87,7 @@ def _partial(e: Any) -> Iterator[Any]:
 def _poles(e: Any) -> Iterator[Any]:
     """The gamma functions above the line of those that stand for others, where the whole comes to something without."""
     calls = sorted(e.atoms(*ABOVE), key=str)
-    if calls and not e.has(ExprWithLimits, sympy.Derivative, sympy.Subs):
+    if calls and not e.has(*BINDING):
         said = e.replace(lambda part: type(part) in ABOVE, lambda call: BY_OTHERS[type(call)](call))
         left = said.replace(is_entire, lambda part: sympy.S.One).atoms(sympy.gamma)
         poles = (sympy.gamma(argument) for call in calls for argument in ABOVE[type(call)](*call.args))

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import sympy
@@ -46,11 +46,24 @@ def as_said(exact: bool, *said: Any, whole: bool = False, other: Callable[[Any],
     if rhs is None and not whole:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
     claim = other(lhs) if other and rhs is None else lhs
-    lost = cancelled(lhs, claim) if rhs is None and isinstance(lhs, COMPARED) else []
+    if other and isinstance(claim, sympy.Implies):  # that something has a name implies the claim
+        conditions[0] = [item for _, item in listed(conditions[0], "given")]
+        require_new(claim.free_symbols - lhs.free_symbols, conditions)
+        lhs, conditions[0] = without_implication(claim, conditions[0])
+        claim = lhs
+    both = isinstance(lhs, COMPARED) and isinstance(claim, COMPARED)
+    lost = cancelled(lhs, claim) if rhs is None and both else []
     lhs, rhs = sides_of(claim) if rhs is None else (lhs, rhs)
     lhs, *others = in_components((also_defined(lhs, lost), rhs, *conditions))
     said = without_points((also_defined(lhs, lost_in(expressions_in([lhs, *others]))), *others))
     return by_parts(without_unknown_integrands(tuple(map(as_decimals, said)) if exact else said))
+
+
+def require_new(symbols: Iterable[Any], said: Any) -> None:
+    """Raise `Untreatable` if something that is said speaks of symbols that are to be new."""
+    spoken = {str(symbol) for e in expressions_in(said) for symbol in getattr(e, "free_symbols", ())}
+    if taken := sorted(spoken & {*map(str, symbols)}):
+        raise Untreatable(f"{taken[0]} is a symbol of the question")
 
 
 def readings_of(said: Said) -> Iterator[Said]:
