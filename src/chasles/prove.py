@@ -103,7 +103,7 @@ def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, Any]]:
 
 def _only_proves(way: Mapping[str, Any]) -> bool:
     """Whether a claim that is read so follows from what is read, and not the other way round."""
-    return way.get("other") is where_it_rises
+    return way.get("other") in (with_name, where_it_rises)
 
 
 def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: Any) -> Verdict:

@@ -76,13 +76,8 @@ def as_theorem(
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
-        other = claimed is not None and any(
-            said(claimed) is not claimed for said in (plainer, with_name, where_it_rises)
-        )
-        if other and sides_of(claimed)[0] not in (lhs, *lhs.args):
-            raise Unsaid(
-                "no proof is written of what another claim says, as that of an increasing function of both sides"
-            )
+        if claimed is not None and _follows(claimed) and sides_of(claimed)[0] not in (lhs, *lhs.args):
+            raise Unsaid("no proof is written of what follows from another claim, as by an increasing function")
         question = as_asked((lhs, rhs, given, nonzero), claimed)
         needs = tuple(need for need in verdict.needs if need not in question.spelled)
         statement = ScalarStatement(question.asked, needs, question.values, claimed)
@@ -100,6 +95,11 @@ def as_theorem(
     except (ArithmeticError, LookupError, ValueError, sympy.PolynomialError):
         return replace(claim, said=said, why_not="no proof is written of what is shown in this way")
     return replace(claim, said=said, proof=proof)
+
+
+def _follows(claim: Any) -> bool:
+    """Whether a claim may have been proved by one in other words."""
+    return any(said(claim) is not claim for said in (plainer, with_name, where_it_rises))
 
 
 def _steps(said: ScalarStatement, certificate: Mapping[str, Any]) -> Iterable[str]:
