@@ -99,7 +99,7 @@ def _of_angles(less: Any, more: Any) -> Parts | None:
 
 def _angle(value: Any, kind: type) -> Any:
     """Of what a value is the sine, the tangent or the cosine, also a number; None if that is not seen."""
-    if type(value) is kind:
+    if value.func is kind:
         return value.args[0]
     known = value.is_number and value.is_real and (kind is sympy.tan or (abs(value) <= 1) is sympy.true)
     return INVERSES[kind](value) if known else None
