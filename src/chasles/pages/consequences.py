@@ -18,7 +18,7 @@ from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
 from chasles.pages.quantities import quantities
 from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion
-from chasles.pages.time_series import Array
+from chasles.pages.time_series import Array, stacked
 from chasles.statements import Hypothesis
 from chasles.statements.fingerprint import Fingerprints
 from chasles.statements.rules import rated
@@ -236,11 +236,14 @@ def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array,
     """What is left of the equations, term by term, and the size of their sides."""
     rows, size = [], 1.0
     for left, right in equations:
-        for one, other in zip(*(chain.from_iterable(values(side)) for side in (left, right)), strict=True):
-            n = min(len(one), len(other))
-            size = max(size, float(np.abs(one.terms).max()), float(np.abs(other.terms).max()))
-            apart = one.terms[:n] - other.terms[:n]
-            rows.append(apart.transpose(0, 2, 1).reshape(-1, apart.shape[1]))
+        pairs = [*zip(*(chain.from_iterable(values(side)) for side in (left, right)), strict=True)]
+        is_even = len({len(entry) for pair in pairs for entry in pair}) == 1
+        for together in (pairs,) if is_even else ([pair] for pair in pairs):
+            one, other = (stacked(side, len(side[0])) for side in zip(*together, strict=True))
+            size = max(size, float(np.abs(one).max()), float(np.abs(other).max()))
+            n = min(one.shape[1], other.shape[1])
+            apart = one[:, :n] - other[:, :n]
+            rows.append(apart.transpose(0, 1, 3, 2).reshape(-1, apart.shape[2]))
     width = max(row.shape[1] for row in rows)
     wide = (row if row.shape[1] == width else np.broadcast_to(row, (row.shape[0], width)) for row in rows)
     return np.concatenate([*wide]), size
@@ -248,10 +251,9 @@ def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array,
 
 def _equal(left: Matrix, right: Matrix) -> bool | None:
     """Whether the values are equal now; None where they have none, or that is not the same at all motions."""
-    pairs = [pair for rows in zip(left, right, strict=True) for pair in zip(*rows, strict=True)]
-    values = [np.max(np.abs(side.now), axis=-1) for pair in pairs for side in pair]
-    between = [np.max(np.abs(one.now - other.now), axis=-1) for one, other in pairs]
-    sizes, apart = (np.max(np.stack(np.broadcast_arrays(*each)), axis=0) for each in (values, between))
+    values = stacked([*chain(*left, *right)], 1)[:, 0]
+    one, other = np.split(values, 2)
+    sizes, apart = np.abs(values).max(axis=(0, 2)), np.abs(one - other).max(axis=(0, 2))
     is_real = np.flatnonzero(np.isfinite(apart) & np.isfinite(sizes))[:MOTIONS_COMPARED]
     if not is_real.size:
         return None

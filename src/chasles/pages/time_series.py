@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import Any
 
@@ -105,12 +105,17 @@ def matrix_product(left: Matrix, right: Matrix) -> Matrix:
 def _at_once(matrix: Matrix, n: int) -> tuple[Array, int]:
     """The first n coefficients of all entries, those of each motion and element as a matrix, and their reach."""
     entries = [entry for row in matrix for entry in row]
-    widths = (max(entry.terms.shape[axis] for entry in entries) for axis in (1, 2))
-    found = np.empty((n, *widths, len(matrix), len(matrix[0])))
-    for i, row in enumerate(matrix):
-        for j, entry in enumerate(row):
-            found[..., i, j] = entry.terms[:n]
-    return found, max(entry.reach for entry in entries)
+    found = stacked(entries, n).reshape(len(matrix), len(matrix[0]), n, -1, max(e.terms.shape[2] for e in entries))
+    return np.ascontiguousarray(found.transpose(2, 3, 4, 0, 1)), max(entry.reach for entry in entries)
+
+
+def stacked(series: Sequence[TimeSeries], n: int) -> Array:
+    """The first n coefficients of each, one beside the other, for as many motions and elements as any of them has."""
+    widths = (max(each.terms.shape[axis] for each in series) for axis in (1, 2))
+    found = np.empty((len(series), n, *widths))
+    for place, each in enumerate(series):
+        found[place] = each.terms[:n]
+    return found
 
 
 def function_of(name: str) -> Callable[..., TimeSeries]:
