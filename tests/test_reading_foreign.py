@@ -725,3 +725,12 @@ def test_what_is_nested_too_deep_is_unread_and_what_follows_is_read() -> None:
         sys.setrecursionlimit(limit)
     assert (deep.status, plain.status) == ("unread", "read")
     assert deep.why.startswith("it is too long")
+
+
+def test_a_quotient_of_columns_is_read_as_printed_and_ill_formed() -> None:
+    letters = {
+        "symbols": {**{rf"\mathbf{{{each}}}": {"is": "vector"} for each in "ab"}, **dict.fromkeys("rh", "scalar")}
+    }
+    quotient, value = chasles.read(r"r = \frac{\mathbf a}{\mathbf b} = h + 1", letters).equations
+    assert (quotient.verdict, value.verdict) == ("ill-formed", "defined")
+    assert "which is not a scalar" in quotient.finding.verdict.reason

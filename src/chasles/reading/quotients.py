@@ -53,7 +53,7 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
             return fits if is_word else ctx.of_its_own(latex_of(atom))  # by a matrix, or by an expression
     found: list[Fit] = []
     for top, bottom in product(of_atoms(above, ctx), of_atoms(below, ctx)):
-        divisor = bottom.at((1, 1))
+        divisor = bottom.at((1, 1)) or (bottom if ctx.tolerant and bottom.node is not None else None)
         if divisor is None:
             continue
         if top.node is None:
