@@ -18,13 +18,12 @@ from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.naming import angle_of, number_of, spelled
 from chasles.from_sympy.opening import atoms_of
-from chasles.from_sympy.reader import multiplied
 from chasles.from_sympy.sampling import Sampling
 from chasles.points.search import Search
 from chasles.prover.certifying import proved
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import PI, Block, Negative, Node, Power, Quotient, Scale, Sum, Symbol, Zero
+from chasles.vocabulary import PI, Block, Negative, Node, Power, Sum, Symbol, Zero
 
 
 @dataclass(slots=True)
@@ -56,15 +55,8 @@ class Question:
     def variants(self) -> Iterator[tuple[int, Problem]]:
         """Problems that say the same, and may be easier to prove, with what the certificate calls them.
 
-        The left side is multiplied and divided by what does not vanish (0); or the square of the difference is zero
-        (1); or the squares of sides are equal that are not negative (2).
+        The square of the difference is zero (1); or the squares of sides are equal that are not negative (2).
         """
-        divisors = [node for h in self.problem.hypotheses for node in h.nonvanishing]
-        alone = [[node] for node in divisors] if len(divisors) > 1 else []
-        for factors in [*alone, divisors, [*divisors, *divisors]] if divisors else []:
-            factor = multiplied(factors)
-            goals = [Goal(g.label, Quotient(Scale(factor, g.left), factor), g.right) for g in self.problem.goals]
-            yield 0, replace(self.problem, goals=tuple(goals))
         for goal in self.problem.goals if self.conditions else ():
             rows, columns = shape = goal.left.shape
             places = [(i + 1, j + 1) for i in range(rows) for j in range(columns)]
