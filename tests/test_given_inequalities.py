@@ -48,6 +48,10 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (Abs(n - 2), 2 - n, [2 * n <= 5]),
     (n, 1, [n >= 1, n < Rational(3, 2)]),
     (Abs(sp.floor(x) - 1), sp.floor(x) - 1, [3 * sp.floor(x) > 1]),
+    (Abs(x), x, [sp.exp(x) > 1]),
+    (Abs(x - y), y - x, [sp.exp(x) < sp.exp(y)]),
+    (Abs(x - 1), 1 - x, [atan(x) <= pi / 4]),
+    (Abs(x * y), x * y, [sp.sinh(x * y) >= 0]),
     (Abs(Z - Z), 0, [Abs(Z) < 1]),
     (Abs(2 + sp.re(Z)), 2 + sp.re(Z), [Abs(Z + sp.conjugate(Z)) < 2]),
     (sqrt(f**2), f, [f > 0]),
@@ -104,6 +108,8 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
     (asin(sin(x)), x, [x > pi / 4, x <= 2 * pi]),
     (atan(tan(x)), x, [x >= pi / 6, x < 2 * pi]),
     (sqrt(x**2), x, [x < 0]),
+    (Abs(x), x, [sp.exp(x) > Rational(1, 2)]),
+    (Abs(x - y), y - x, [sp.exp(-x) < sp.exp(-y)]),
     (Abs(n - 3), n - 3, [2 * n >= 3]),
     (Abs(x - 3), x - 3, [x > Rational(5, 2)]),
     (sqrt(x**2), x, [x > -1]),
@@ -272,6 +278,10 @@ def test_a_proof_does_not_do_without_them(left: Any, right: Any, given: list[Any
     if opposite:
         with pytest.raises(Rejected):
             recheck(verdict, left, right, opposite)
+
+
+def test_an_exponential_of_a_complex_number_does_not_say_that_it_is_real() -> None:
+    assert not prove(sp.im(Z), 0, given=[sp.exp(Z) > 1]).true
 
 
 def test_one_between_functions_of_different_variables_is_refused() -> None:

@@ -18,7 +18,7 @@ from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
 from chasles.from_sympy.divisors import lost_divisors
-from chasles.from_sympy.monotone import is_whole
+from chasles.from_sympy.monotone import is_whole, of_arguments
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
@@ -85,6 +85,8 @@ def _plain(item: Any) -> Iterator[Any]:
         less = sympy.Lt if isinstance(item, STRICT) else sympy.Le
         yield from _plain(less(item.lts.args[0], item.gts))
         yield from _plain(less(-item.gts, item.lts.args[0]))
+    elif (other := of_arguments(item)) is not item:
+        yield from _plain(other)
     else:
         yield _rounded(item)
 
