@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from math import inf
+from time import monotonic
 from typing import Any
 
 from sympy.polys.polyerrors import BasePolynomialError
@@ -76,13 +77,14 @@ def prove(
     """
     given, nonzero = (tuple(each) if isinstance(each, Iterator) else each for each in (given, nonzero))
     verdict: Verdict | Untreatable
+    end = monotonic() + budget
     try:
         verdict = _proved(lhs, rhs, given, nonzero, budget, exact)
     except Untreatable as error:
         verdict = error
     for way in _other_ways(lhs, rhs, given) if isinstance(verdict, Contradictory | Undecided | Untreatable) else ():
         with suppress(Untreatable):
-            other = _proved(lhs, rhs, given, nonzero, budget, exact, **way)
+            other = _proved(lhs, rhs, given, nonzero, max(end - monotonic(), 0), exact, **way)
             if isinstance(other, Holds | HoldsUnder) or (isinstance(other, Fails) and not _only_proves(way)):
                 return other
     if isinstance(verdict, Untreatable):

@@ -12,11 +12,11 @@ RISING: Mapping[type, int] = {
     **dict.fromkeys((sympy.asin, sympy.atan, sympy.erf), 1), sympy.acos: -1,
 }  # fmt: skip
 """Functions that rise or fall strictly on the interval on which they are real."""
-UNDONE: Mapping[type, Any] = {
+INVERSE_OF: Mapping[type, Any] = {
     sympy.exp: sympy.log, sympy.sinh: sympy.asinh, sympy.asinh: sympy.sinh, sympy.tanh: sympy.atanh,
     sympy.atan: sympy.tan,
 }  # fmt: skip
-"""Functions that rise everywhere, and what undoes them."""
+"""Functions that rise everywhere, and their inverse functions."""
 BETWEEN: Mapping[type, tuple[Any, Any]] = {
     sympy.exp: (0, sympy.oo), sympy.tanh: (-1, 1), sympy.atan: (-sympy.pi / 2, sympy.pi / 2),
 }  # fmt: skip
@@ -43,18 +43,18 @@ def plainer(claim: Any) -> Any:
 
 def of_arguments(item: Any) -> Any:
     """The same said of the arguments of a function that rises everywhere: exp(x) > 1 says x > 0; or the inequality."""
-    kind = next((type(side) for side in item.args if type(side) in UNDONE), None)
+    kind = next((type(side) for side in item.args if type(side) in INVERSE_OF), None)
     if kind is None or item.has(sympy.I):
         return item
-    sides = [side.args[0] if type(side) is kind else _undone(side, kind) for side in item.args]
+    sides = [side.args[0] if type(side) is kind else _argument(side, kind) for side in item.args]
     return item if None in sides else item.func(*sides, evaluate=False)
 
 
-def _undone(value: Any, kind: type) -> Any:
+def _argument(value: Any, kind: type) -> Any:
     """Of what a number is the value; None if it is none or none is seen."""
     low, high = BETWEEN.get(kind, (-sympy.oo, sympy.oo))
     seen = value.is_number and value.is_real and (value > low) is sympy.true and (value < high) is sympy.true
-    return UNDONE[kind](value) if seen else None
+    return INVERSE_OF[kind](value) if seen else None
 
 
 def _without_rounding(less: Any, more: Any, strict: bool) -> Relation | None:
