@@ -9,6 +9,9 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Max, Min, Rational, cbrt, cos, root, sin, sqrt
 
+from chasles.algebra.work_limit import STEP, OutOfTime, within
+from chasles.checker.expressions.cases import CheckedCase
+from chasles.from_sympy.proof_by_cases import ProofByCases
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 
@@ -197,3 +200,10 @@ def test_a_symbol_without_a_name_is_no_crash() -> None:
 def test_conditions_on_what_is_no_polynomial_come_to_an_end(lhs: Any, rhs: Any, verdict: type) -> None:
     """SymPy simplifies some of these without end once 1 + d is put for x; sin(x)**2 + cos(x)**2 - x is not linear."""
     assert isinstance(prove(sp.Piecewise(lhs, (y, True)), rhs), verdict)
+
+
+def test_every_case_counts_as_work() -> None:
+    u = sp.symbols("u:4", real=True)
+    case = CheckedCase(((Max(*u),), (u[0],)), (), ())
+    with within(products=3 * STEP), pytest.raises(OutOfTime):
+        ProofByCases(lambda _: Undecided(""), set()).of(case)

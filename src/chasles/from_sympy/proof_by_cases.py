@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.algebra.work_limit import check
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.switches import deciding
 from chasles.checker.expressions.widened import holds_throughout, said_need
@@ -46,6 +47,7 @@ class ProofByCases:
         The cases are those of the signs of some factors, one after the other, or of what decides the forms, the size
         of which is `named` in equations, too.
         """
+        check()
         if case.lost:
             self.needs[case.lost] = None
         if case.lost or case.impossible:
