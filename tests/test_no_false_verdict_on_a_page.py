@@ -414,3 +414,10 @@ def test_what_would_only_say_that_zero_is_zero_was_not_meant() -> None:
     page = r"$$\dot h = H v = 0$$ $$\ddot h = H \dot v + \dot H v = 0$$"
     page += r"$$\ddot h = H \dot v + \dot H v = - 2 \alpha \dot h - \alpha^2 h$$"
     assert chasles.read(page, {"symbols": letters}, "md").equations[-1].verdict == "open"
+
+
+def test_nothing_holds_since_an_open_equation_makes_both_sides_vanish() -> None:
+    letters = {"symbols": dict.fromkeys(("x", "y", "V", "A"), "scalar")}
+    page = "$$x = 2 V - 20 V = 0 A$$\n\n$$y = 3 V = 4 V$$"
+    found = [each.verdict for each in chasles.read(page, letters, "md").equations]
+    assert found == ["defined", "open", "defined", "open"]

@@ -16,7 +16,8 @@ from chasles.pages.facts import divisors
 from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities, last_said
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Condition, Statement
-from chasles.vocabulary import Node
+from chasles.vocabulary import Node, Zero
+from chasles.vocabulary.letters import zero_of
 
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
@@ -58,10 +59,20 @@ def attempts(
         yield from ((True, each) for each in whole[-MOST_WHOLE:])
 
     for likely, known in chosen():
-        if _is_new(*known, seen):
+        if _is_new(*known, seen) and not _vanishes(claim, known, consequences):
             attempt = with_premises(claim, premises, *known)
             names = tuple(name for name in map(named, attempt.given) if name in premises.unproved)
             yield from ways(Attempt(attempt, likely, names), premises, known[1])
+
+
+def _vanishes(claim: Claim, known: Known, consequences: Consequences) -> bool:
+    """Whether both sides vanish under what is posed, where neither is zero in print: that says nothing of the claim."""
+    zero = zero_of(claim.left.shape)
+    if not known[1] or any(side == zero or isinstance(side, Zero) for side in claim.printed):
+        return False
+    return bool(
+        consequences.may_follow(claim.left, zero, *known) and consequences.may_follow(claim.right, zero, *known)
+    )
 
 
 def ways(attempt: Attempt, premises: Premises, posed: tuple[PosedEquation, ...]) -> Iterator[Attempt]:
