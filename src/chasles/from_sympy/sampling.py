@@ -63,22 +63,29 @@ class Sampling:
         return None
 
     def point(self) -> Mapping[str, Any] | None:
-        """A point at which everything that occurs is defined, and all conditions hold."""
+        """A point at which everything that occurs is defined, and all conditions hold: there both sides are equal."""
         fallback = None
-        for free_first in (False, True):
-            for enclosures in self._points(*MANY, free_first) if fallback is None else ():
+        for free_first, equal in ((False, False), (True, False), (False, True)):
+            for enclosures in self._points(*MANY, free_first, equal) if fallback is None else ():
                 found = self._coordinates(enclosures)
                 if all(isinstance(value, Fraction) for value in found.values()):
                     return found
                 fallback = fallback or found
         return fallback
 
-    def _points(self, enough: int, attempts: int, free_first: bool = False) -> Iterator[Enclosures]:
-        sides = [entry for side in (self.left, self.right) for row in side.rows for entry in row]
+    def _points(
+        self, enough: int, attempts: int, free_first: bool = False, equal: bool = False
+    ) -> Iterator[Enclosures]:
+        sides = [entry for side in self._entries for entry in side]
         given = [(self._named(one), self._named(other)) for one, other in self.given]
         nonzero = [self._named(e) for e in self.nonzero]
         expressions = [*(self._named(e) for e in (*sides, *self.defined)), *(side for pair in given for side in pair)]
-        solved = _Solved(given, [dummy for atom, dummy in self._dummies.items() if free_first and assumed_of(atom)])
+        told = (
+            [(self._named(one), self._named(other)) for one, other in zip(*self._entries, strict=True)] if equal else []
+        )
+        solved = _Solved(
+            [*told, *given], [dummy for atom, dummy in self._dummies.items() if free_first and assumed_of(atom)]
+        )
         for attempt in range(attempts):
             check()
             random = Random(attempt)
@@ -101,6 +108,11 @@ class Sampling:
                 enough -= 1
             if not enough:
                 return
+
+    @property
+    def _entries(self) -> tuple[list[Any], list[Any]]:
+        left, right = ([entry for row in side.rows for entry in row] for side in (self.left, self.right))
+        return left, right
 
     def _named(self, expression: Any) -> Any:
         """The expression with every atom a symbol of its own."""
