@@ -66,13 +66,12 @@ def attempts(
 
 
 def _vanishes(claim: Claim, known: Known, consequences: Consequences) -> bool:
-    """Whether both sides vanish under what is posed, where neither is zero in print: that says nothing of the claim."""
-    zero = zero_of(claim.left.shape)
-    if not known[1] or any(side == zero or isinstance(side, Zero) for side in claim.printed):
+    """Whether both sides vanish, as letters do, by what is posed: neither is zero in print, and nothing is said of it."""
+    free = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
+    if not known[1] or any(side == zero_of(side.shape) or isinstance(side, Zero) for side in claim.printed):
         return False
-    return bool(
-        consequences.may_follow(claim.left, zero, *known) and consequences.may_follow(claim.right, zero, *known)
-    )
+    vanish = (bool(consequences.may_follow(each, zero_of(each.shape), *known)) for each in (*claim.printed, *free))
+    return next(vanish) and next(vanish) and any(vanish)
 
 
 def ways(attempt: Attempt, premises: Premises, posed: tuple[PosedEquation, ...]) -> Iterator[Attempt]:
