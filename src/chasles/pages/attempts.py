@@ -66,7 +66,7 @@ def attempts(
 
 
 def _vanishes(claim: Claim, known: Known, consequences: Consequences) -> bool:
-    """Whether both sides vanish, as letters do, by what is posed: neither is zero in print, and nothing is said of it."""
+    """Whether both sides vanish, as a letter does, by what is posed, neither being zero in print: that says nothing."""
     free = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
     if not known[1] or any(side == zero_of(side.shape) or isinstance(side, Zero) for side in claim.printed):
         return False
