@@ -135,7 +135,40 @@ def quantities_that_are_called_as_the_time(draw: Random) -> Judgement:
     return _judged(f"{left} = {right}", answer, ("fails", "contradictory", "ill-formed"))
 
 
+def inequalities_of_compound_arguments(draw: Random) -> Judgement:
+    """What is so of any number is so of products and roots; not of complex numbers, and no more than that is."""
+    x, y = sp.symbols("x y")
+    z, w = sp.symbols("z w", complex=True)
+    of = draw.choice((x * y, x**2 + y**2, sp.sin(x), x * y**2, sp.sqrt(x), sp.Abs(x) * y, z * w))
+    less, more = draw.choice((
+        (1 + of, sp.exp(of)), (1 - of**2 / 2, sp.cos(of)), (1 + of**2 / 2, sp.cosh(of)), (-(of**2), -(sp.sin(of) ** 2)),
+    ))  # fmt: skip
+    beyond = draw.choice((0, 0, 1, sp.Rational(1, 10**6)))
+    if of.is_Mul and z in of.args:
+        claim, wrong = less <= more, ("holds",)
+    elif draw.random() < 0.3:
+        claim, wrong = less + beyond < more, ("holds",)  # both sides are equal where the argument is zero
+    else:
+        claim, wrong = less + beyond <= more, ("holds",) if beyond else ("fails", "contradictory")
+    return _judged(f"{claim}", answer_of(lambda: prove(claim)), wrong)
+
+
+def what_is_shown_by_induction_between_bounds(draw: Random) -> Judgement:
+    """A bound without which something is false is among the needs, also of what is shown by induction."""
+    x, n, k = sp.Symbol("x"), sp.Symbol("n", integer=True, nonnegative=True), sp.Symbol("k", integer=True)
+    low, high = draw.choice(((0, 1), (0, sp.Rational(1, 2)), (sp.Rational(1, 3), 1)))
+    left, right = draw.choice((
+        (x ** (n + 1) <= x**n, None), (sp.Sum(sp.Abs(x), (k, 1, n)), n * x),
+        (sp.Sum(sp.sqrt(x**2), (k, 0, n)), x + n * x),
+    ))  # fmt: skip
+    given = [draw.choice((sp.Gt, sp.Ge))(x, low), draw.choice((sp.Lt, sp.Le))(x, high)]
+    answer = answer_of(lambda: prove(left, right, given=given))
+    free = answer.name == "holds" and not answer.needs
+    return _judged(f"{left} = {right} where {given}", answer, ("holds",) if free else ("fails", "contradictory"))
+
+
 ASSUMED = (
+    inequalities_of_compound_arguments, what_is_shown_by_induction_between_bounds,
     letters_that_are_even_or_prime, indices_that_are_what_they_may_not_be, whole_variables_of_integration,
     symbols_that_are_no_real_numbers, what_is_said_to_be_an_inverse, quantities_that_are_called_as_the_time,
 )  # fmt: skip
