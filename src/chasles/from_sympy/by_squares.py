@@ -1,7 +1,7 @@
 """What is given contradicts itself, because squares with weights of at least zero add up to a negative number.
 
-Weights are products of what has a sign, squares those of monomials and of differences of two: a linear program says
-which (A. A. Ahmadi and A. Majumdar, DSOS and SDSOS optimization, 2019; J.-L. Krivine, 1964).
+Weights are products of what has a sign, squares those of monomials, of differences of two and of slopes of what vanishes:
+a linear program says which (A. A. Ahmadi and A. Majumdar, DSOS and SDSOS optimization, 2019; J.-L. Krivine, 1964).
 """
 
 from __future__ import annotations
@@ -68,11 +68,18 @@ def _impossible(ring: Ring, basis: Basis, stated: list[Polynomial], signs: Signs
     places = [k for k in range(len(ring.names)) if any(ring.degrees(polynomial)[k] for polynomial in stated)]
     if len(places) > MOST_VARIABLES or degree > LARGEST_DEGREE:
         return None
+    slopes = [slope for polynomial in stated for slope in _slopes(ring, polynomial)]
     for most, half in ((2, 1), (1, 2), (3, 1), (2, (degree + 1) // 2)):
         weighed = _weighed(ring, places, signs, most, half, max(degree, 2))
+        weighed += [(ring.constant(Fraction(1)), slope, False) for slope in slopes]
         if len(weighed) <= MOST_CANDIDATES and (found := _combined(ring, basis, weighed)):
             return found
     return None
+
+
+def _slopes(ring: Ring, polynomial: Polynomial) -> list[Polynomial]:
+    """The slopes of what vanishes by variables of degree two: the square of one is the discriminant."""
+    return [ring.derivative(polynomial, k) for k, degree in enumerate(ring.degrees(polynomial)) if degree == 2]
 
 
 def _weighed(ring: Ring, places: list[int], signs: Signs, most: int, half: int, degree: int) -> list[Weighed]:

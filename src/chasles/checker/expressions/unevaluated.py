@@ -58,7 +58,8 @@ def hidden_in(e: Any) -> Iterator[Any]:
     parts = e.atoms(sympy.Pow, sympy.Function, *SCALARS)
     parts |= {1 / sympy.Determinant(part.base) for part in e.atoms(sympy.MatPow) if part.exp.is_negative}
     rates = [rate for rate in e.atoms(sympy.Derivative) if not is_atom(rate)]
-    known = (part for part in sorted(parts, key=str) if not (part.free_symbols & bound or part.has(*rates)))
+    unseen = (part for part in sorted(parts, key=str) if not is_atom(part))  # what a function of time is has a value
+    known = (part for part in unseen if not (part.free_symbols & bound or part.has(*rates)))
     yield from map(written_out, known)
 
 
