@@ -70,7 +70,8 @@ def _vanishes(claim: Claim, known: Known, consequences: Consequences) -> bool:
     free = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
     if not known[1] or any(side == zero_of(side.shape) or isinstance(side, Zero) for side in claim.printed):
         return False
-    vanish = (bool(consequences.may_follow(each, zero_of(each.shape), *known)) for each in (*claim.printed, *free))
+    told = consequences, consequences.elsewhere  # nothing may be left of a motion by chance
+    vanish = (all(at.may_follow(each, zero_of(each.shape), *known) for at in told) for each in (*claim.printed, *free))
     return next(vanish) and next(vanish) and any(vanish)
 
 

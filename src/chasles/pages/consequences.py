@@ -6,7 +6,7 @@ What agrees there is a conjecture, which the prover then decides.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from hashlib import sha256
 from itertools import chain
 from math import prod
@@ -70,13 +70,22 @@ class Consequences:
     """Tells what may follow at one random motion; what satisfies the same equations is found once."""
 
     def __init__(
-        self, facts: Callable[[Symbol], tuple[Hypothesis, ...]], known: dict[str, bool | None] | None = None
+        self,
+        facts: Callable[[Symbol], tuple[Hypothesis, ...]],
+        known: dict[str, bool | None] | None = None,
+        start: int = 0,
     ) -> None:
-        self.motion = RandomMotion(facts)
+        self.motion = RandomMotion(facts, start=start)
+        self._facts, self._start = facts, start
         self._known = {} if known is None else known
         self._digests = Digests()
         self._found: dict[tuple[frozenset[Pair], frozenset[Pair], int], RandomMotion | NotInMotion | None] = {}
         self._last: ValuesInMotion | None = None
+
+    @cached_property
+    def elsewhere(self) -> Consequences:
+        """The same, told at another motion."""
+        return Consequences(self._facts, self._known, self._start + 1)
 
     def may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation] = ()) -> bool | None:
         """Whether two sides are equal with the rules applied where all that is posed holds; None where it is not known.
@@ -88,7 +97,7 @@ class Consequences:
             f"{self._digests.key(symbol)}{'.' * order} {self._digests.key(rule.right)}"
             for (symbol, order), rule in rules.items()
         )
-        key = sha256("\n".join([*map(self._digests.key, sides), *sorted(told)]).encode()).hexdigest()
+        key = sha256("\n".join([*map(self._digests.key, sides), *sorted(told), "." * self._start]).encode()).hexdigest()
         if key not in self._known:
             self._known[key] = self._may_follow(left, right, rules, posed)
         return self._known[key]

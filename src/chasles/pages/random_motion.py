@@ -44,31 +44,35 @@ Key = tuple[Symbol, bool, bool]
 class RandomMotion:
     """A motion of every symbol that satisfies the `facts` of it; the same symbol moves alike in all that is asked.
 
-    A symbol's series is made of numbers that are free: by rows, columns, terms, motions and elements.
+    A symbol's series is made of numbers that are free: by rows, columns, terms, motions and elements; others are drawn
+    with another `start`.
     """
 
     def __init__(
-        self, facts: Callable[[Symbol], tuple[Hypothesis, ...]], numbers: Mapping[Key, Array] = MappingProxyType({})
+        self,
+        facts: Callable[[Symbol], tuple[Hypothesis, ...]],
+        numbers: Mapping[Key, Array] = MappingProxyType({}),
+        start: int = 0,
     ) -> None:
-        self._facts = facts
+        self._facts, self._start = facts, start
         self.numbers = dict(numbers)
         self._made: dict[tuple[Key, int], Matrix] = {}
 
     @property
     def undrawn(self) -> RandomMotion:
         """The motion before anything is asked of it."""
-        return RandomMotion(self._facts)
+        return RandomMotion(self._facts, start=self._start)
 
     def with_numbers(self, numbers: Mapping[Key, Array]) -> RandomMotion:
         """The motion with other free numbers of some symbols."""
-        return RandomMotion(self._facts, {**self.numbers, **numbers})
+        return RandomMotion(self._facts, {**self.numbers, **numbers}, self._start)
 
     def of(self, symbol: Symbol, terms: int, running: Mapping[Symbol, bool]) -> Matrix:
         """The series of a symbol; one that is `running` differs from element to element, and may move."""
         key = symbol, symbol in running, running.get(symbol, True)
         if (key, terms) not in self._made:
             if key not in self.numbers:
-                self.numbers[key] = _drawn(*key)
+                self.numbers[key] = _drawn(*key, self._start)
             self._made[key, terms] = self._satisfying(symbol, self.numbers[key][:, :, :terms])
         return self._made[key, terms]
 
@@ -83,8 +87,9 @@ class RandomMotion:
 
 
 @lru_cache(maxsize=4096)
-def _drawn(symbol: Symbol, runs: bool, moves: bool) -> Array:
-    numbers = np.random.default_rng(list(f"{symbol.name} {symbol.letter} {symbol.shape} {symbol.meaning}".encode()))
+def _drawn(symbol: Symbol, runs: bool, moves: bool, start: int) -> Array:
+    letters = list(f"{symbol.name} {symbol.letter} {symbol.shape} {symbol.meaning}".encode())
+    numbers = np.random.default_rng([*letters, *[start] * (start > 0)])
     blocks = [numbers.uniform(-1, 1, (*symbol.shape, TERMS, n, ELEMENTS if runs else 1)) for n in (2, MOTIONS - 2)]
     free = np.concatenate(blocks, axis=3)
     if symbol.constant or not moves:
