@@ -1,7 +1,8 @@
 """What is given contradicts itself, because squares with weights of at least zero add up to a negative number.
 
-Weights are products of what has a sign, squares those of monomials, of differences of two and of slopes of what is given:
-a linear program says which (A. A. Ahmadi and A. Majumdar, DSOS and SDSOS optimization, 2019; J.-L. Krivine, 1964).
+Weights are products of what has a sign, squares those of monomials, of differences of two and of slopes of what is
+given: a linear program says which (A. A. Ahmadi and A. Majumdar, DSOS and SDSOS optimization, 2019; J.-L. Krivine,
+1964).
 """
 
 from __future__ import annotations
