@@ -71,7 +71,7 @@ def test_what_is_said_of_each_step_is_what_the_program_does() -> None:
         for step in program.steps:
             if step.op is Op.INPUT:
                 node, i, j = request.place(step.argument, step.entry)
-                value = known.setdefault((identifier(node.name), i, j), 0.3 + len(known) / 7)  # type: ignore[attr-defined]
+                value = known.setdefault((identifier(node.name), i, j), 0.3 + 7 * len(known) % 11 / 7)  # type: ignore[attr-defined]
                 inputs[step.argument, step.entry] = decimals(20).context.mpf(value)
         scope = {name: value for (name, *_), value in known.items()} | vars(__import__("math"))
         values = evaluated(program.steps, decimals(20), lambda argument, entry: inputs[argument, entry])  # noqa: B023

@@ -279,7 +279,7 @@ def check_enclosed(
 
 def _parts(values: EnclosedValues, e: Any) -> tuple[Enclosure, Enclosure]:
     """What holds the real and the imaginary part."""
-    real, imaginary = e.xreplace(values.point).as_real_imag() if e.has(sympy.I) else (e, sympy.S.Zero)
+    real, imaginary = e.xreplace(values.point).expand().as_real_imag() if e.has(sympy.I) else (e, sympy.S.Zero)
     return values(real), values(imaginary)
 
 
