@@ -265,10 +265,10 @@ CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t step, ptrdiff_t 
 #if CHASLES_REGISTER >= 32
     if (step > count * number || -step >= count * number) {
         const ptrdiff_t lanes = CHASLES_REGISTER / number;
-        const char *const ahead = at + (count * number > 2 * CHASLES_LINE ? lanes : CHASLES_BLOCK / 4) * step;
+        const char *const later = at + (count * number > 2 * CHASLES_LINE ? lanes : CHASLES_BLOCK / 4) * step;
         for (ptrdiff_t i = 0; i < lanes; i++) {
             for (ptrdiff_t k = 0; k < count * number; k += CHASLES_LINE) {
-                ASK(ahead + i * step + k);
+                ASK(later + i * step + k);
             }
         }
         return;
