@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from chasles.report import screen
+from chasles.report import waiting
 from chasles.statements import Claim
 from chasles.vocabulary import scalar
 
@@ -74,7 +74,7 @@ def test_no_bar_moves(monkeypatch: pytest.MonkeyPatch) -> None:
         start = advance = stop = nothing
 
     monkeypatch.setattr("rich.progress.Progress", Bar)
-    assert list(screen.progress("ab", 2, "Doing")) == ["a", "b"]
-    with screen.silent():
-        assert list(screen.progress("abc", 3, "Doing")) == ["a", "b", "c"]
+    assert list(waiting.progress("ab", 2, "Doing")) == ["a", "b"]
+    with waiting.silent():
+        assert list(waiting.progress("abc", 3, "Doing")) == ["a", "b", "c"]
     assert drawn == [2]

@@ -1,18 +1,15 @@
-"""Quiet commands: `-q` prints errors only, and the JSON that was asked for. Others say once what would be faster."""
+"""Quiet commands: `-q` prints errors only, and the JSON that was asked for."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from contextlib import redirect_stdout, suppress
+from contextlib import redirect_stdout
 from functools import wraps
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import click
-
-from chasles import cache
 
 _ASKED = "chasles.cli.quiet"
 
@@ -49,7 +46,7 @@ def _muffled(callback: Callable[..., Any]) -> Callable[..., Any]:
     def called(*words: Any, **options: Any) -> Any:
         if not is_quiet():
             return callback(*words, **options)
-        from chasles.report.screen import silent
+        from chasles.report.waiting import silent
 
         if options.get("json"):
             with silent():
@@ -58,21 +55,3 @@ def _muffled(callback: Callable[..., Any]) -> Callable[..., Any]:
             return callback(*words, **options)
 
     return called
-
-
-_SAID = "said-fast"
-"""The file in the cache that stands for having said it."""
-
-
-def say_once_what_is_faster() -> None:
-    """One line on standard error where python-flint is not installed; where nothing can be kept, nothing is said."""
-    folder = cache.folder()
-    if find_spec("flint") is not None or folder is None or is_quiet() or (folder / _SAID).exists():
-        return
-    with suppress(OSError):
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / _SAID).touch()
-        click.echo(
-            "hint: with python-flint, `pip install 'chasles[fast]'`, new proofs are found about three times as fast",
-            err=True,
-        )

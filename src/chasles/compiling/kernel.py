@@ -12,20 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy
 
-from chasles.compiling.compiler import compiled, sources_of_program
 from chasles.compiling.packing import packing_of
 from chasles.compiling.recall import Sources, recalled
+from chasles.compiling.shared_objects import compiled, sources_of_program
 from chasles.display import Displayed
 from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
 
 if TYPE_CHECKING:
     from chasles.bounds.box import BoxBound
-from chasles.compiling.sources import ORIGIN
-from chasles.lowering.refusal import LoweringError
-from chasles.targets import EmissionError, TargetKernel, place, taken_away
-from chasles.targets.emit import HEAD
-from chasles.targets.kernel import require_plain
 
 MANY_SINGLES = 2**20
 """So many numbers of single precision in a kernel's results are worth a compiler's time."""
@@ -160,8 +155,8 @@ class CompiledKernel(Displayed):
             OSError: where a file cannot be written; then none is.
         """
         from chasles.bounds.box import bound_of_program
-        from chasles.compiling.kernel import written
         from chasles.compiling.sources import target_kernel
+        from chasles.compiling.written import written
         from chasles.targets.c.functions import precisions_of
 
         kernel = target_kernel(self.program)
@@ -224,20 +219,3 @@ class _WrittenOut:
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
         return self._function(*inputs, **options)
-
-
-def written(kernel: TargetKernel, folder: Path, targets: str | Iterable[str], license: str) -> tuple[Path, ...]:
-    """The files of the kernel below the folder, one folder a target: all of them are written, or nothing is.
-
-    Raises `LoweringError` for a target that there is not or that cannot spell the kernel, OSError where a file cannot
-    be written.
-    """
-    _, made = HEAD
-    require_plain(license, "license")
-    try:
-        names = (targets,) if isinstance(targets, str) else tuple(targets)
-        texts = taken_away([kernel], names, head=(f"SPDX-License-Identifier: {license}", made), origin=ORIGIN)
-    except EmissionError as error:
-        raise LoweringError(str(error)) from None
-    place(folder, texts)
-    return tuple(folder / path for path in texts)

@@ -98,9 +98,7 @@ class _CoqPoint:
             yield f"assert (cos'{name} : cos {of} = {cosine}) by (rewrite is'{name}; turned)."
             yield f"assert (sin'{name} : sin {of} = {sine}) by (rewrite is'{name}; turned)."
             return
-        known = f"cos'{name} & sin'{name} & low'{name}"
-        yield f"destruct (angle_with {rational(unit)} {cosine} {sine} {LOW}) as ({name} & {known}); [lra | lra |]."
-        yield f"replace ({rational(unit)} * {name}) with {of} in cos'{name}, sin'{name} by field."
+        yield from angle_with(name, unit, cosine, sine, LOW)
 
     def _words_known(self) -> Iterator[str]:
         """The values of cosines, sines and norms, the innermost first; of what moves, at the instant 0."""
@@ -181,8 +179,7 @@ class _CoqPoint:
         goals = self.said.problem.goals
         premises = " ".join(each.name for each in self.said.premises)
         yield f"specialize (claim' {self.arguments} {premises}{' 0 now' * self.said.timed})."
-        if len(goals) > 1:
-            yield f"destruct claim' as ({'_ & ' * count}claim'{' & _' * (count < len(goals) - 1)})."
+        yield from claim_alone(count, len(goals))
         yield "cbv beta in claim'."
         if not (goals[count].left.is_scalar and goals[count].right.is_scalar):
             yield f"apply (f_equal (fun A => entry A {found.entry[0] - 1} {found.entry[1] - 1})) in claim'."
@@ -197,6 +194,19 @@ class _CoqPoint:
                 if left != right:
                     return count, self.values.number(left), self.values.number(right)
         raise Unsaid("both sides are the same at the point")
+
+
+def angle_with(name: str, unit: Fraction, cosine: str, sine: str, low: int) -> Iterator[str]:
+    """The steps to an angle, beyond some number, of a multiple of which this is the cosine and this the sine."""
+    known = f"cos'{name} & sin'{name} & low'{name}"
+    yield f"destruct (angle_with {rational(unit)} {cosine} {sine} {low}) as ({name} & {known}); [lra | lra |]."
+    yield f"replace ({rational(unit)} * {name}) with {multiple(name, unit)} in cos'{name}, sin'{name} by field."
+
+
+def claim_alone(count: int, several: int) -> Iterator[str]:
+    """The step to one of several equations that are claimed, if there are more."""
+    if several > 1:
+        yield f"destruct claim' as ({'_ & ' * count}claim'{' & _' * (count < several - 1)})."
 
 
 def _lemma(kind: str) -> str:

@@ -19,11 +19,11 @@ from chasles.checker.sparse import Rejected
 from chasles.coq.expressions import Unsaid
 from chasles.coq.of_sympy import ScalarStatement, SympyStatement
 from chasles.coq.own_inequalities import OwnInequalities, as_asked
+from chasles.coq.points import angle_with, claim_alone
 from chasles.coq.polynomials import multiple
 from chasles.coq.proof import theorem
 from chasles.coq.scalar_values import ScalarValues, spelled_number
-from chasles.coq.sentences import Claimed, assumed, failing
-from chasles.coq.values import rational
+from chasles.coq.sentences import Claimed, assumed, failing, introduced
 from chasles.statements import Goal, Hypothesis
 from chasles.verdict import Counterexample
 from chasles.vocabulary.functions import FunctionOf
@@ -98,7 +98,8 @@ def _where_defined(sides: Iterable[Any]) -> Iterator[str]:
 class _ScalarPoint:
     def __init__(self, said: SympyStatement, found: Counterexample) -> None:
         self.said, self.values = said, ScalarValues(said, found)
-        self._words: dict[w.Node, tuple[str, Any]] = {}
+        self._words: dict[w.Node, str] = {}
+        """The names under which the values of functions are known."""
 
     def steps(self) -> Iterator[str]:
         """All steps: the values under their names, that they satisfy the premises, and the contradiction."""
@@ -106,11 +107,7 @@ class _ScalarPoint:
         for symbol, value in self.values.numbers.items():
             yield f"destruct (named {spelled_number(value)}) as [{symbol} is'{symbol}]."
         for symbol, (unit, cosine, sine) in self.values.angles.items():
-            known = f"({symbol} & cos'{symbol} & sin'{symbol} & low'{symbol})"
-            of = f"{rational(unit)} {spelled_number(cosine)} {spelled_number(sine)} {LOW}"
-            yield f"destruct (angle_with {of}) as {known}; [lra | lra |]."
-            times = f"{rational(unit)} * {symbol}"
-            yield f"replace ({times}) with {multiple(str(symbol), unit)} in cos'{symbol}, sin'{symbol} by field."
+            yield from angle_with(str(symbol), unit, spelled_number(cosine), spelled_number(sine), LOW)
         for premise in self.said.premises:
             about = premise.about
             assert isinstance(about, Goal | Hypothesis)
@@ -119,8 +116,7 @@ class _ScalarPoint:
             if isinstance(about, Goal) and self.values(sides[0]) != self.values(sides[1]):
                 raise Unsaid("no proof is written with a point that leaves something out")
             yield f"assert ({premise.name} : {assumed(premise)}) by ({self._satisfied(about)})."
-        given = [*self.values.names.values(), *(premise.name for premise in self.said.premises)]
-        yield f"specialize (claim' {' '.join(given)})." if given else ""
+        yield f"specialize (claim' {given})." if (given := introduced(self.said)) else ""
         yield from self._contradiction()
 
     def _satisfied(self, about: Goal | Hypothesis) -> str:
@@ -140,9 +136,7 @@ class _ScalarPoint:
             places = [k for k, goal in enumerate(goals) if self._differ(*goal.sides)]
             if not places:
                 raise Unsaid("no proof is written where the values are not rational")
-            if len(goals) > 1:
-                count = places[0]
-                yield f"destruct claim' as ({'_ & ' * count}claim'{' & _' * (count < len(goals) - 1)})."
+            yield from claim_alone(places[0], len(goals))
             goals = [goals[places[0]]]
         spelled = self.said.spelling.number
         sides = dict.fromkeys(side for goal in goals for side in goal.sides if not isinstance(side, w.Number))
@@ -168,10 +162,9 @@ class _ScalarPoint:
         nodes |= {w.Call(function, each.arguments[0]) for each in tangents for function in ("cos", "sin")}
         spelled = self.said.spelling.number
         for node in sorted(nodes - self._words.keys(), key=lambda each: (len(spelled(each)), spelled(each))):
-            value, text = self.values(node), self.said.spelling.number(node)
             name = f"word'{len(self._words)}"
-            yield f"assert ({name} : {text} = {spelled_number(value)}) by ({self._shown(node)})."
-            self._words[node] = name, value
+            yield f"assert ({name} : {spelled(node)} = {spelled_number(self.values(node))}) by ({self._shown(node)})."
+            self._words[node] = name
 
     def _shown(self, node: w.Node) -> str:
         """The step by which a function has its value."""
@@ -213,7 +206,5 @@ class _ScalarPoint:
     @property
     def _computed(self) -> str:
         """The step that puts in what is known."""
-        known = [name for name, _ in reversed(self._words.values())] + [
-            f"is'{symbol}" for symbol in self.values.numbers
-        ]
+        known = [*reversed(self._words.values()), *(f"is'{symbol}" for symbol in self.values.numbers)]
         return "rewrite " + ", ".join(f"?{each}" for each in known) if known else "idtac"

@@ -41,8 +41,7 @@ class ScalarValues:
         if any(atom.is_rational is not None and atom.is_Symbol for atom in said.words.atoms):
             raise Unsaid("what is claimed of whole or rational numbers is told to Coq of all real ones")
         self._said = said
-        self.names = {node: name for node, name in said.names.symbols.items() if isinstance(node, w.Symbol)}
-        self.symbols = {node: sympy.Symbol(name, real=True) for node, name in self.names.items()}
+        self.symbols = {node: sympy.Symbol(name, real=True) for node, name in said.names.symbols.items()}
         self.numbers: dict[Any, Any] = {}
         self.angles: dict[Any, tuple[Fraction, Any, Any]] = {}
         by_name = {node.name: symbol for node, symbol in self.symbols.items()}

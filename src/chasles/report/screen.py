@@ -1,16 +1,11 @@
-"""The screen that pages are shown on: a terminal with its width and colours, or a pipe or file, plain and unwrapped.
-
-A progress bar is drawn on standard error, only in a terminal and only where it takes long.
-"""
+"""The screen that pages are shown on: a terminal with its width and colours, or a pipe or file, plain and unwrapped."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
-from threading import Timer
-from typing import TextIO, TypeVar
+from collections.abc import Mapping
+from typing import TextIO
 
 from rich.console import Console, RenderableType
 from rich.measure import Measurement
@@ -80,44 +75,3 @@ class Screen:
             for page in pages:
                 self.console.print(page)
         self._file.write("\n".join(line.rstrip() for line in captured.get().split("\n")))
-
-
-PATIENCE = 0.8
-"""Seconds before the bar appears."""
-_T = TypeVar("_T")
-_silences: list[None] = []
-
-
-@contextmanager
-def silent() -> Iterator[None]:
-    """No bar appears inside."""
-    _silences.append(None)
-    try:
-        yield
-    finally:
-        _silences.pop()
-
-
-def progress(things: Iterable[_T], total: int, doing: str) -> Iterator[_T]:
-    """The things, one at a time, with a bar that says how many of the `total` are through."""
-    if _silences or not sys.stderr.isatty():
-        yield from things
-        return
-    from rich.progress import Progress
-
-    from chasles.report.screen import console_on
-
-    bar = Progress(console=console_on(sys.stderr, os.environ), transient=True)
-    task = bar.add_task(doing, total=total)
-    # It moves in a thread of its own, also while a single thing takes long.
-    appears = Timer(PATIENCE, bar.start)
-    appears.daemon = True
-    appears.start()
-    try:
-        for thing in things:
-            yield thing
-            bar.advance(task)
-    finally:
-        appears.cancel()
-        appears.join()
-        bar.stop()

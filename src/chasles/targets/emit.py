@@ -1,7 +1,4 @@
-"""Which files come out? All the text of generated/, as a pure function of the kernels and the languages.
-
-A template becomes text by Jinja, which compiles it once, as Python does a module, and in the same folder.
-"""
+"""Which files come out? All the text of generated/, as a pure function of the kernels and the languages."""
 
 from __future__ import annotations
 
@@ -17,22 +14,13 @@ from jinja2 import TemplateError
 from chasles import __version__
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
+from chasles.targets.filling import layout
 from chasles.targets.kernel import EmissionError, TargetKernel, signature
 from chasles.targets.offering import offering
 from chasles.targets.target import Origin, Page, Target, discover, every_target
 
 if TYPE_CHECKING:
     from chasles.bounds.bound import Bound
-import sys
-from contextlib import suppress
-from functools import cache
-from importlib.util import cache_from_source
-from pickle import UnpicklingError
-
-import jinja2
-from jinja2.bccache import Bucket
-
-from chasles.cache import keep
 
 MANIFEST = "MANIFEST.toml"
 HEAD = ("SPDX-License-Identifier: BSD-3-Clause", f"Emitted by chasles {__version__}.")
@@ -187,48 +175,3 @@ def _inline_table(values: dict[str, int]) -> str:
 def _cell(text: str) -> str:
     """A text in a Markdown table."""
     return text.replace("|", "\\|")
-
-
-class _Layout(jinja2.Environment):
-    """Templates in which a key of a table is never taken for a method of Python's dictionaries."""
-
-    def getattr(self, obj: object, attribute: str) -> object:
-        if isinstance(obj, Mapping) and hasattr(dict, attribute):
-            raise jinja2.TemplateRuntimeError(
-                f"the key {attribute!r} is the name of a method of dictionaries: rename it"
-            )
-        return super().getattr(obj, attribute)
-
-
-class _Bytecode(jinja2.BytecodeCache):
-    """What templates were compiled to; a file that cannot be read or written is none."""
-
-    def get_cache_key(self, name: str, filename: str | None = None) -> str:
-        return cache_from_source(filename or name)
-
-    def get_source_checksum(self, source: str) -> str:
-        return super().get_source_checksum(f"{jinja2.__version__} {source}")
-
-    def load_bytecode(self, bucket: Bucket) -> None:
-        with suppress(OSError, EOFError, UnpicklingError), Path(bucket.key).open("rb") as file:
-            bucket.load_bytecode(file)
-
-    def dump_bytecode(self, bucket: Bucket) -> None:
-        if not sys.dont_write_bytecode:
-            with suppress(OSError):
-                Path(bucket.key).parent.mkdir(exist_ok=True)
-                keep(Path(bucket.key), bucket.bytecode_to_string())
-
-
-@cache
-def layout(templates: Path) -> jinja2.Environment:
-    """The templates of a folder."""
-    return _Layout(
-        loader=jinja2.FileSystemLoader(templates),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
-        bytecode_cache=_Bytecode(),
-    )

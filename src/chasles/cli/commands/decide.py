@@ -52,8 +52,8 @@ def command(
     equation that is wrong in the book is a finding, not a failure. Status 1 means that something could not be decided,
     that a declared correction is not proved, or that a verdict was rejected when it was checked again.
     """
+    from chasles.cli.hint import say_once_what_is_faster
     from chasles.cli.outcome import decide
-    from chasles.cli.quiet import say_once_what_is_faster
     from chasles.report.records import record
     from chasles.statements.loading import unlisted
 
