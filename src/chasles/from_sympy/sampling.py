@@ -80,12 +80,10 @@ class Sampling:
         given = [(self._named(one), self._named(other)) for one, other in self.given]
         nonzero = [self._named(e) for e in self.nonzero]
         expressions = [*(self._named(e) for e in (*sides, *self.defined)), *(side for pair in given for side in pair)]
-        told = (
-            [(self._named(one), self._named(other)) for one, other in zip(*self._entries, strict=True)] if equal else []
-        )
-        solved = _Solved(
-            [*told, *given], [dummy for atom, dummy in self._dummies.items() if free_first and assumed_of(atom)]
-        )
+        pairs = zip(*self._entries, strict=True) if equal else ()
+        told = [(self._named(one), self._named(other)) for one, other in pairs]
+        last = [dummy for atom, dummy in self._dummies.items() if free_first and assumed_of(atom)]
+        solved = _Solved([*told, *given], last)
         for attempt in range(attempts):
             check()
             random = Random(attempt)
