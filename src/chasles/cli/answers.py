@@ -11,7 +11,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.recalled import ANSWERS, as_text
 from chasles.decisions.session import Session
 from chasles.deriving import walk
-from chasles.report.screen import progress
+from chasles.report.waiting import progress
 from chasles.statements import Chapter, DeclarationError
 from chasles.statements.citing import UnknownNumber, derivations_cited
 from chasles.statements.derivation import Derivation

@@ -11,7 +11,7 @@ import click
 from chasles.cli import completing
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.nearest import nearest
-from chasles.report.screen import progress
+from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry
 from chasles.statements.citing import UnknownNumber, statements_cited
 

@@ -26,7 +26,7 @@ from chasles.numerics.specification import Specification, specification_of
 from chasles.numerics.specification_of_inverse import specification_of_inverse
 from chasles.numerics.verify import Evidence, verify
 from chasles.report.evidence import is_wrong, worst_of
-from chasles.report.screen import progress
+from chasles.report.waiting import progress
 from chasles.report.words import number_of, seconds
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 from chasles.statements.packages import BOOK, generated_package, imported

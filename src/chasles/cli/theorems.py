@@ -19,7 +19,7 @@ from chasles.coq.theorems import claims_of
 from chasles.decisions.decision import Decision, key_of
 from chasles.lowering.declaration import Decide
 from chasles.report.findings import Pairs
-from chasles.report.screen import progress
+from chasles.report.waiting import progress
 from chasles.report.words import number_of
 from chasles.statements import Problem
 

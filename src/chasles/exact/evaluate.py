@@ -1,4 +1,7 @@
-"""Words at exact values, functions of scalars among them: an expression becomes a SymPy matrix of numbers."""
+"""Words at exact values, functions of scalars among them: an expression becomes a SymPy matrix of numbers.
+
+The values may hold free symbols, as the unknowns of equations do. Nothing is rounded and nothing is guessed.
+"""
 
 from __future__ import annotations
 

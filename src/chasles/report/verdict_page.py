@@ -21,7 +21,7 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.markdown import escaped, table
-from chasles.report.screen import progress
+from chasles.report.waiting import progress
 from chasles.report.words import VERDICTS, counted, number_of
 from chasles.statements import Chapter, Section
 

@@ -30,7 +30,7 @@ def command(out: Path | None, json: bool) -> int:
 
     After that `from PACKAGE import kernels` gives them to programs: as ufuncs, and `kernels.one`, `kernels.checked`.
     """
-    from chasles.cli.checkout import compiled, offered
+    from chasles.cli.building import compiled, offered
     from chasles.cli.emission import everything
     from chasles.report.words import number_of, seconds
     from chasles.targets import EmissionError, write

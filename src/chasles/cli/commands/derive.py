@@ -29,7 +29,8 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     from chasles.decisions.recalled import retained, session_of
     from chasles.deriving import walk
     from chasles.report.derivation_page import derivation_line, derivation_page, derivation_record
-    from chasles.report.screen import Screen, progress
+    from chasles.report.screen import Screen
+    from chasles.report.waiting import progress
 
     book = chapter()
     chosen, session = chosen_derivations(book, numbers), session_of(book)

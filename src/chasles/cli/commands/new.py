@@ -21,7 +21,7 @@ def command(folder: Path, json: bool) -> int:
     It declares symbols, a section with equations, kernels and an exercise, and has a test. All commands take it by
     `--chapter`, before the command's name: `chasles --chapter ./NAME decide`.
     """
-    from chasles.cli.checkout import NEW_CHAPTER
+    from chasles.cli.building import NEW_CHAPTER
     from chasles.cli.files import write_files
     from chasles.targets import Origin, Page
     from chasles.targets.emit import filled
