@@ -570,42 +570,6 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
     put_row(at, step, 3, 4, UPPER(xy_, zw_));
 }
 
-/* All numbers of items, four at a time. */
-CHASLES_INLINE void store_by_four(
-    char *at, ptrdiff_t step, int count, const doubles *x)
-{
-    const int whole = count / 4 * 4;
-    for (int k = 0; k < whole; k += 4) {
-        store_4(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);
-        at += 4 * sizeof(double);
-    }
-    if (count - whole == 3) {
-        store_3(at, step, x[whole], x[whole + 1], x[whole + 2]);
-    } else if (count - whole == 2) {
-        store_2(at, step, x[whole], x[whole + 1]);
-    } else if (count - whole == 1) {
-        store_1(at, step, x[whole]);
-    }
-}
-
-/* All numbers of items, four at a time. */
-CHASLES_INLINE void store_by_fourf(
-    char *at, ptrdiff_t step, int count, const floats *x)
-{
-    const int whole = count / 4 * 4;
-    for (int k = 0; k < whole; k += 4) {
-        store_4f(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);
-        at += 4 * sizeof(float);
-    }
-    if (count - whole == 3) {
-        store_3f(at, step, x[whole], x[whole + 1], x[whole + 2]);
-    } else if (count - whole == 2) {
-        store_2f(at, step, x[whole], x[whole + 1]);
-    } else if (count - whole == 1) {
-        store_1f(at, step, x[whole]);
-    }
-}
-
 #if CHASLES_REGISTER == 64
 /* Up to twelve numbers of items, item by item: where memory is what takes the time it is best written in its order. More
  * would not stay in registers. */
@@ -635,7 +599,9 @@ CHASLES_INLINE void store_in_order(char *at, ptrdiff_t step, int count, const do
 }
 #endif
 
-CHASLES_INLINE void store_all(char *at, ptrdiff_t step, int count, const doubles *x)
+/* All numbers of items, four at a time where they are not stored item by item. */
+CHASLES_INLINE void store_all(
+    char *at, ptrdiff_t step, int count, const doubles *x)
 {
 #if CHASLES_REGISTER == 64
     if (4 < count && count <= 12) {
@@ -643,12 +609,36 @@ CHASLES_INLINE void store_all(char *at, ptrdiff_t step, int count, const doubles
         return;
     }
 #endif
-    store_by_four(at, step, count, x);
+    const int whole = count / 4 * 4;
+    for (int k = 0; k < whole; k += 4) {
+        store_4(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);
+        at += 4 * sizeof(double);
+    }
+    if (count - whole == 3) {
+        store_3(at, step, x[whole], x[whole + 1], x[whole + 2]);
+    } else if (count - whole == 2) {
+        store_2(at, step, x[whole], x[whole + 1]);
+    } else if (count - whole == 1) {
+        store_1(at, step, x[whole]);
+    }
 }
 
-CHASLES_INLINE void store_allf(char *at, ptrdiff_t step, int count, const floats *x)
+/* All numbers of items, four at a time where they are not stored item by item. */
+CHASLES_INLINE void store_allf(
+    char *at, ptrdiff_t step, int count, const floats *x)
 {
-    store_by_fourf(at, step, count, x);
+    const int whole = count / 4 * 4;
+    for (int k = 0; k < whole; k += 4) {
+        store_4f(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);
+        at += 4 * sizeof(float);
+    }
+    if (count - whole == 3) {
+        store_3f(at, step, x[whole], x[whole + 1], x[whole + 2]);
+    } else if (count - whole == 2) {
+        store_2f(at, step, x[whole], x[whole + 1]);
+    } else if (count - whole == 1) {
+        store_1f(at, step, x[whole]);
+    }
 }
 
 /* Whether the items of an operand, of so many numbers, are packed; `core` has the steps down and across in an item. */
