@@ -570,7 +570,9 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
     put_row(at, step, 3, 4, UPPER(xy_, zw_));
 }
 
-#if CHASLES_REGISTER == 64
+#define IN_ORDER (CHASLES_REGISTER == 64)
+#define IN_ORDERF 0
+#if IN_ORDER
 /* Up to twelve numbers of items, item by item: where memory is what takes the time it is best written in its order. More
  * would not stay in registers. */
 CHASLES_INLINE void store_in_order(char *at, ptrdiff_t step, int count, const doubles *x)
@@ -603,7 +605,7 @@ CHASLES_INLINE void store_in_order(char *at, ptrdiff_t step, int count, const do
 CHASLES_INLINE void store_all(
     char *at, ptrdiff_t step, int count, const doubles *x)
 {
-#if CHASLES_REGISTER == 64
+#if IN_ORDER
     if (4 < count && count <= 12) {
         store_in_order(at, step, count, x);
         return;
@@ -627,6 +629,12 @@ CHASLES_INLINE void store_all(
 CHASLES_INLINE void store_allf(
     char *at, ptrdiff_t step, int count, const floats *x)
 {
+#if IN_ORDERF
+    if (4 < count && count <= 12) {
+        store_in_order(at, step, count, x);
+        return;
+    }
+#endif
     const int whole = count / 4 * 4;
     for (int k = 0; k < whole; k += 4) {
         store_4f(at, step, x[k], x[k + 1], x[k + 2], x[k + 3]);

@@ -14,7 +14,7 @@ from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, flat
 
 _USED = """
-    LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
+    LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF IN_ORDER IN_ORDERF
     doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps stream copied angles sines cosines g i
     stream_lines prefetch prefetch_to_write packed is_packed
 """
