@@ -11,9 +11,9 @@ import pytest
 
 from chasles.decisions.recalled import session_of
 from chasles.evaluation import matrices
+from chasles.motions.time_series import FUNCTIONS, TimeSeries, matrix_product
 from chasles.pages.consequences import Consequences
 from chasles.pages.premises import PosedEquation, Rules
-from chasles.pages.time_series import FUNCTIONS, TimeSeries, matrix_product
 from chasles.statements import Claim, Definition, Hypothesis, Problem, load, problem_of, rotation, unit
 from chasles.vocabulary import (
     FREQUENCY,

@@ -25,6 +25,7 @@ ORDER = (
     "evaluation",
     "statements",
     "rewriting",
+    "motions",
     "algebra",
     "verdict",
     "checker",

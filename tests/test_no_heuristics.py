@@ -15,8 +15,8 @@ ROOMS = (
     *("repairs", "decisions", "deriving", "from_sympy"),
 )
 PACKAGE = Path(chasles.__file__).parent
-CHOOSING = {PACKAGE / "repairs" / name for name in ("real_test.py", "real_values.py")}
-"""They choose, by points in floating point, which repairs are tried; each is proved before it is told."""
+CHOOSING = {PACKAGE / "repairs" / "real_test.py"}
+"""It chooses, by random motions in floating point, which repairs are tried; each is proved before it is told."""
 MODULES = sorted(
     {*(path for room in ROOMS for path in (PACKAGE / room).rglob("*.py")), PACKAGE / "prove.py"} - CHOOSING
 )

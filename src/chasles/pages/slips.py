@@ -15,13 +15,13 @@ from itertools import count, islice
 
 from chasles import vocabulary as w
 from chasles.decisions.session import Session
+from chasles.motions.random_motion import MOST_FACTORS
 from chasles.pages.attempts import named, with_premises
 from chasles.pages.bounded_proofs import LESS_WORK, proof_of
 from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import in_words, one_mark_away
 from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities
 from chasles.pages.quantities import quantities, quantity
-from chasles.pages.random_motion import MOST_FACTORS
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
-from fractions import Fraction
 from itertools import islice
 
 from chasles import vocabulary as w
@@ -14,7 +14,6 @@ from chasles.points.at_sizes import points_at_sizes
 from chasles.repairs.candidates import Nearest
 from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import Change
-from chasles.repairs.real_values import agree_at
 from chasles.repairs.without_form import edited, edits_of
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, problem_of
@@ -125,17 +124,19 @@ class _PointTest:
         self.points = found[::-1][:: max(1, len(found) // POINTS)]
 
     def agree(self, left: Node, right: Node) -> bool:
-        """Whether the sides agree at the points."""
+        """Whether the sides agree at all points at which both have a value, and at two or more."""
         try:
             problem = problem_of(self.claim.saying(left, right), "printed", self.accepted)
         except (w.Misfit, TypeError):
             return False
-
-        def compared(at: dict[str, Fraction]) -> bool:
-            point = PointAtSizes(problem, at)
-            return all(point(goal.left) == point(goal.right) for goal in problem.goals)
-
-        return agree_at(self.points, compared)
+        count = 0
+        for at in self.points:
+            with suppress(ArithmeticError, ValueError, LookupError, TypeError):
+                point = PointAtSizes(problem, at)
+                if any(point(goal.left) != point(goal.right) for goal in problem.goals):
+                    return False
+                count += 1
+        return count > 1
 
 
 def at_letters(claim: Claim, numbers: dict[str, int]) -> Callable[[Node], Node]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
@@ -13,12 +14,10 @@ import numpy as np
 from chasles.evaluation import matrices
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
-from chasles.pages.premises import Rules
-from chasles.pages.time_series import Array, TimeSeries, function_of, matrix_product
+from chasles.motions.time_series import Array, TimeSeries, chosen, function_of, matrix_product
 from chasles.statements import Hypothesis
-from chasles.statements.rules import rated
-from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Power, Rate, Symbol
-from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Power, Rate, Symbol, undotted
+from chasles.vocabulary.functions import Cases, FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
 MOTIONS, ELEMENTS = 12, 7
@@ -27,6 +26,7 @@ MOST_FACTORS = 100
 """So many factors of a power are multiplied; a higher one has no value here, and is one factor."""
 TERMS = 7
 """Terms of each series: so many rates less one may be taken."""
+RELATIONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
 class NotInMotion(Exception):
@@ -132,13 +132,14 @@ class ValuesInMotion(Interpreter):
     def __init__(
         self,
         motion: RandomMotion,
-        rules: Rules,
+        rules: Mapping[Node, Node],
         running: Mapping[Symbol, bool],
         terms: int,
         begun: Mapping[Symbol, Matrix] = MappingProxyType({}),
     ) -> None:
-        super().__init__({rated(*quantity): rule.right for quantity, rule in rules.items()})
-        self.motion, self.rules_of, self.running = motion, rules, running
+        super().__init__(rules)
+        self.motion, self.running = motion, running
+        self._rates = [(*undotted(left), right) for left, right in rules.items() if isinstance(left, Rate)]
         self.terms, self.begun = terms, begun
 
     def entries(self, node: Node) -> Matrix:
@@ -163,6 +164,13 @@ class ValuesInMotion(Interpreter):
                 return [[function_of(function)(self.scalar(argument))]]
             case FunctionOf(function, arguments):
                 return [[function_of(function)(*map(self.scalar, arguments))]]
+            case Cases(values, left, right, signs):
+                found = self(values[-1])
+                for value, one, sign, other in reversed([*zip(values, left, signs, right, strict=False)]):
+                    is_so = RELATIONS[sign](self.scalar(one).now, self.scalar(other).now)
+                    rows = zip(self(value), found, strict=True)
+                    found = [[chosen(a, b, is_so) for a, b in zip(*row, strict=True)] for row in rows]
+                return found
             case Norm(of):
                 square = matrices.product(matrices.transposed(self(of)), self(of))[0][0]
                 return [[function_of("sqrt")(square)]]
@@ -185,17 +193,17 @@ class ValuesInMotion(Interpreter):
         if symbol in self.begun:
             return self.begun[symbol]
         found = self.motion.of(symbol, self.terms, self.running)
-        for order in sorted(order for s, order in self.rules_of if s == symbol and order):
-            found = self._continued(symbol, order, found)
+        for order, right in sorted((order, right) for base, order, right in self._rates if base == symbol):
+            found = self._continued(symbol, order, right, found)
         return found
 
-    def _continued(self, symbol: Symbol, order: int, start: Matrix) -> Matrix:
+    def _continued(self, symbol: Symbol, order: int, right: Node, start: Matrix) -> Matrix:
         found = each(start, lambda entry: entry.first(order))
         known = order
         while known < self.terms:
             begun = {**self.begun, symbol: found}
-            following = ValuesInMotion(self.motion, self.rules_of, self.running, self.terms, begun)
-            longer = following(self.rules_of[symbol, order].right)
+            following = ValuesInMotion(self.motion, self.rules, self.running, self.terms, begun)
+            longer = following(right)
             for k in reversed(range(order)):
                 longer = [
                     [entry.integrated(first.terms[k] * factorial(k)) for entry, first in zip(*rows, strict=True)]

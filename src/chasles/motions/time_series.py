@@ -140,7 +140,8 @@ def _one(x: TimeSeries) -> TimeSeries:
     return x / x
 
 
-def _chosen(x: TimeSeries, other: TimeSeries, taken: Array) -> TimeSeries:
+def chosen(x: TimeSeries, other: TimeSeries, taken: Array) -> TimeSeries:
+    """The first at the motions at which it is taken, the other elsewhere."""
     n = min(len(x), len(other))
     return TimeSeries(np.where(taken, x.terms[:n], other.terms[:n]))
 
@@ -172,6 +173,6 @@ FUNCTIONS: dict[str, Callable[..., TimeSeries]] = {
     "atan2": _atan2,
     "abs": lambda x: TimeSeries(x.terms * np.sign(x.now)),
     "sign": lambda x: TimeSeries(np.concatenate([np.sign(x.now)[None], 0.0 * x.terms[1:]])),
-    "max": lambda *xs: reduce(lambda x, y: _chosen(x, y, x.now >= y.now), xs),
-    "min": lambda *xs: reduce(lambda x, y: _chosen(x, y, x.now <= y.now), xs),
+    "max": lambda *xs: reduce(lambda x, y: chosen(x, y, x.now >= y.now), xs),
+    "min": lambda *xs: reduce(lambda x, y: chosen(x, y, x.now <= y.now), xs),
 }
