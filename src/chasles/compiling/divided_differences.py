@@ -7,14 +7,15 @@ vanishes (Reps and Rall, Computational divided differencing and divided-differen
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import partial
+from dataclasses import dataclass, field
+from functools import lru_cache, partial
 from typing import Any
 
 import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 from sympy.integrals.quadrature import gauss_legendre
 
-from chasles.compiling.angles import QUOTIENTS, parts_of_kinds, square_of, vanishes
+from chasles.compiling.angles import KEPT, QUOTIENTS, parts_of_kinds, square_of, vanishes
 from chasles.compiling.taylor import ANALYTIC, NearZero, Stumpff, TaylorPolynomial, left_of
 from chasles.lowering.refusal import LoweringError
 
@@ -24,55 +25,76 @@ _WRITTEN_OUT = 8
 """So many factors has a whole power of which the terms are written one by one."""
 
 
-class DividedDifferences:
-    """Those by a symbol and a point, and where they are as good as what is stated."""
+@dataclass(slots=True)
+class _Validity:
+    """Where divided differences are as good as what is stated; `close` is asked for only where there is a product."""
 
-    def __init__(self, symbol: sympy.Symbol, point: sympy.Expr) -> None:
-        self.apart = symbol - point
-        self.conditions: dict[Any, None] = {}
-        self._close: dict[Any, None] = {}
-        self._symbol, self._at = symbol, {symbol: point}
-        self._done: dict[Any, Any] = {symbol: sympy.S.One}
+    conditions: dict[Any, None] = field(default_factory=dict)
+    close: dict[Any, None] = field(default_factory=dict)
+    has_product: bool = False
 
-    def at_point(self, expression: Any) -> Any:
-        """The expression with the point for the symbol."""
+    def add(self, other: _Validity) -> None:
+        self.conditions |= other.conditions
+        self.close |= other.close
+        self.has_product |= other.has_product
+
+
+@dataclass(frozen=True, slots=True)
+class SymbolValue:
+    """A value of a symbol: a number, or an expression in other symbols."""
+
+    symbol: sympy.Symbol
+    value: sympy.Expr
+
+    @property
+    def apart(self) -> Any:
+        """How far the symbol is from the value."""
+        return self.symbol - self.value
+
+    def changes(self, expression: Any) -> bool:
+        """Whether the expression has the symbol."""
+        return self.symbol in parts_of_kinds(expression, (sympy.Symbol,))
+
+    def of(self, expression: Any) -> Any:
+        """The expression with the value for the symbol."""
         try:
-            return expression.xreplace(self._at)
+            return expression.xreplace({self.symbol: self.value})
         except (TypeError, ValueError):
             # SymPy asks for the sign, or the larger, of what has no value.
             return sympy.nan
 
     def vanish(self, expression: Any) -> bool:
         """Whether the expression has the symbol and is zero at the point, as is seen of polynomials."""
-        if self._symbol not in expression.free_symbols:
-            return False
-        value = self.at_point(expression)
-        if value.has(*NO_VALUES):
-            return False
-        if value.is_number and not value.is_Rational:
-            # log(4) is 2 log(2): a number stands for its first digits.
-            digits = value.evalf(60)
-            return bool(digits.is_Number and abs(digits) < _NEGLIGIBLE)
-        return vanishes(value) or (bool(parts_of_kinds(value, (Stumpff,))) and vanishes(value.expand(func=True)))
+        return _vanishes(expression, self)
 
     def hold(self, condition: Any) -> bool:
         """Whether a condition holds at the point, whatever other symbols are."""
-        return bool(self.at_point(condition) == sympy.true)
+        return bool(self.of(condition) == sympy.true)
+
+
+class DividedDifferences:
+    """Those by a symbol and a point, and where they are as good as what is stated."""
+
+    def __init__(self, point: SymbolValue) -> None:
+        self.point = point
+        self.validity = _Validity()
 
     def conditions_of(self, found: sympy.Expr) -> list[Any]:
         """Where what was found with them is as good as what is stated."""
         polynomials = sorted(parts_of_kinds(found, (TaylorPolynomial,)), key=sympy.default_sort_key)
         # The square that is put in for that of a root may be negative.
         near = (sympy.Abs(part.args[0], evaluate=False) < part.args[1] for part in polynomials)
-        return [*self.conditions, *near]
+        return [*self.validity.conditions, *(self.validity.close if self.validity.has_product else ()), *near]
 
     def of(self, expression: Any) -> Any:
         """The divided difference. Raises `LoweringError` for a function of which none is known."""
-        if self._symbol not in expression.free_symbols:
+        if not self.point.changes(expression):
             return sympy.S.Zero
-        if expression not in self._done:
-            self._done[expression] = self._made(expression)
-        return self._done[expression]
+        if expression == self.point.symbol:
+            return sympy.S.One
+        found, validity = _difference(expression, self.point)
+        self.validity.add(validity)
+        return found
 
     def _made(self, expression: Any) -> Any:
         args = expression.args
@@ -82,15 +104,15 @@ class DividedDifferences:
             return self._product(args)
         if isinstance(expression, NearZero):
             (near, where), (stated, _) = args
-            if not self.hold(where):
+            if not self.point.hold(where):
                 return self.of(stated)
-            self.conditions[where] = None
+            self.validity.conditions[where] = None
             return self.of(near)
         stated = _in_others(expression)
         if stated is not None:
             return self.of(stated)
         if isinstance(expression, sympy.Pow):
-            if self._symbol in args[1].free_symbols:
+            if self.point.changes(args[1]):
                 return self.of(sympy.exp(args[1] * sympy.log(args[0])))
             return self.of(args[0]) * self._power(*self._sides(args[0]), args[1])
         if isinstance(expression, Stumpff | TaylorPolynomial):
@@ -104,40 +126,39 @@ class DividedDifferences:
             first = ANALYTIC[kind].first or ANALYTIC[kind].step
             return self.of(args[0]) * u ** (first - 1) * left_of(kind, first, sympy.S.One, u, square_of(u))
         if isinstance(expression, sympy.log):
-            self.conditions[u + v > 0] = None
+            self.validity.conditions[u + v > 0] = None
         if isinstance(expression, sympy.atan):
-            self.conditions[1 + u * v > 0] = None
+            self.validity.conditions[1 + u * v > 0] = None
         if type(expression) in _ENTIRE:
-            self._close[sympy.Abs(d) < 1] = None
+            self.validity.close[sympy.Abs(d) < 1] = None
         if type(expression) in _BY_QUADRATURE:
-            self.conditions[sympy.Abs(d) * (1 + sympy.Abs(u + v)) < 1] = None
+            self.validity.conditions[sympy.Abs(d) * (1 + sympy.Abs(u + v)) < 1] = None
         return self.of(args[0]) * rule(u, v, d)
 
     def _sides(self, of: Any) -> tuple[Any, Any, Any]:
         """What it is, what it is at the point, and how far these are apart."""
-        at = self.at_point(of)
+        at = self.point.of(of)
         if at.has(*NO_VALUES) or at.is_extended_real is False:
             raise LoweringError("there is no value at the point")
-        return of, at, self.apart * self.of(of)
+        return of, at, self.point.apart * self.of(of)
 
     def _product(self, factors: tuple[Any, ...]) -> Any:
         """One factor after the other is taken to the point; far from it the terms may cancel."""
-        if sum(self._symbol in factor.free_symbols for factor in factors) > 1:
-            self.conditions |= self._close
-            self._close = self.conditions
+        if sum(map(self.point.changes, factors)) > 1:
+            self.validity.has_product = True
         split = [(factors[:k], factor, factors[k + 1 :]) for k, factor in enumerate(factors)]
-        return sympy.Add(*(self.at_point(sympy.Mul(*a)) * self.of(factor) * sympy.Mul(*b) for a, factor, b in split))
+        return sympy.Add(*(self.point.of(sympy.Mul(*a)) * self.of(factor) * sympy.Mul(*b) for a, factor, b in split))
 
     def _power(self, u: Any, v: Any, d: Any, exponent: Any) -> Any:
         if exponent.is_Integer and 0 < exponent <= _WRITTEN_OUT:
             return sympy.Add(*(u**k * v ** (exponent - 1 - k) for k in range(exponent)))
-        self._close[2 * sympy.Abs(d) < sympy.Abs(v)] = None
+        self.validity.close[2 * sympy.Abs(d) < sympy.Abs(v)] = None
         if exponent.is_number and exponent < 0:
             return -self._power(u, v, d, -exponent) / (u**-exponent * v**-exponent)
         if exponent.is_Rational and exponent.q == 2:
             a, b = sympy.sqrt(u), sympy.sqrt(v)
             return self._power(a, b, d / (a + b), sympy.Integer(exponent.p)) / (a + b)
-        self.conditions[u + v > 0] = None
+        self.validity.conditions[u + v > 0] = None
         slope = exponent * _RULES[sympy.log](u, v, d)
         return u ** (exponent / 2) * v ** (exponent / 2) * slope * _left(sympy.sinh, d * slope / 2)
 
@@ -146,12 +167,34 @@ class DividedDifferences:
         first, *others = expression.args
         if isinstance(expression, Stumpff):
             [of] = others
-            if self.at_point(of) != 0:
+            if self.point.of(of) != 0:
                 return self.of(expression.expand(func=True))
             return -self.of(of) * of * Stumpff(first + 2, of)
-        if self.at_point(first) != 0:
+        if self.point.of(first) != 0:
             raise LoweringError("no divided difference of the rest of a series is known away from zero")
         return self.of(first) * TaylorPolynomial(first, others[0], *others[2:])
+
+
+@lru_cache(KEPT)
+def _difference(expression: Any, point: SymbolValue) -> tuple[Any, _Validity]:
+    """The divided difference, and where it is as good as what is stated."""
+    differences = DividedDifferences(point)
+    return differences._made(expression), differences.validity
+
+
+@lru_cache(KEPT)
+def _vanishes(expression: Any, point: SymbolValue) -> bool:
+    return point.changes(expression) and _is_zero(point.of(expression))
+
+
+def _is_zero(value: Any) -> bool:
+    if value.has(*NO_VALUES):
+        return False
+    if value.is_number and not value.is_Rational:
+        # log(4) is 2 log(2): a number stands for its first digits.
+        digits = value.evalf(60)
+        return bool(digits.is_Number and abs(digits) < _NEGLIGIBLE)
+    return vanishes(value) or (bool(parts_of_kinds(value, (Stumpff,))) and vanishes(value.expand(func=True)))
 
 
 def _in_others(function: Any) -> Any:

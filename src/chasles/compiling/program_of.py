@@ -54,7 +54,11 @@ def program_of(
     def spelled(outputs: Sequence[ResultEntries], *, common: bool) -> Program:
         return _program(name, inputs, outputs, derived, common=common)
 
-    outputs = [with_fields(o, entries=tuple(map(without_removable, in_known_functions(o.entries)))) for o in outputs]
+    symbols: dict[sympy.Basic, sympy.Basic] = {}
+    outputs = [
+        with_fields(o, entries=tuple(without_removable(e, symbols) for e in in_known_functions(o.entries)))
+        for o in outputs
+    ]
     stated = spelled(outputs, common=False)
     derived = derived.patterned(stated) if derived else None
     with within(WORK_PER_STEP * len(stated.steps)):

@@ -41,8 +41,12 @@ NORM = sympy.Dummy("norm", dummy_index=2, nonnegative=True)
 _ANGLES = {ANGLE, ROOT, NORM}
 
 
-def without_removable(expression: sympy.Basic) -> sympy.Basic:
-    """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
+def without_removable(expression: sympy.Basic, symbols: dict[Any, Any] | None = None) -> sympy.Basic:
+    """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there.
+
+    `symbols` has those that stand for what does not change with an angle, and gets more: expressions that have them in
+    common are looked at once.
+    """
     parts = parts_of(expression, ())
     if any(isinstance(part, ExprWithLimits) for part in parts):
         # There is no program for it: what is said of it shall be said of what was given.
@@ -51,7 +55,9 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
     if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
         table = dict(_by_roots(parts, divided))
         table |= {part: with_points_together(part) for part in parts if part.is_Add}
-        found = _with_limits(Substitution(table).of(expression) if table else expression)
+        found = _with_limits(
+            Substitution(table).of(expression) if table else expression, {} if symbols is None else symbols
+        )
     return without_cancellation(in_range(without_singular_points(found)))
 
 
@@ -66,7 +72,7 @@ def _by_roots(parts: Collection[sympy.Basic], divided: Collection[sympy.Expr]) -
                 yield part, sympy.atan2(root, of) if isinstance(part, sympy.acos) else sympy.asinh(root)
 
 
-def _with_limits(expression: sympy.Basic) -> sympy.Basic:
+def _with_limits(expression: sympy.Basic, symbols: dict[Any, Any]) -> sympy.Basic:
     """The expression, one angle after the other."""
     parts = parts_of(expression, ())
     divided = divisors(parts)
@@ -84,7 +90,7 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
             continue
         inner, back = apart
         # What does not change with the angle is a symbol, however long it is.
-        rest = {part: sympy.Dummy(real=True) for part in outermost([inner], _is_fixed)}
+        rest = {part: symbols.setdefault(part, sympy.Dummy(real=True)) for part in outermost([inner], _is_fixed)}
         regular = _of_squares(without_singular_points(Substitution(rest).of(inner)))
         again = {dummy: part for part, dummy in rest.items()}
         found = back(Substitution(again).of(regular))
@@ -101,7 +107,11 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
 
 
 def _is_fixed(part: Any) -> bool:
-    return isinstance(part, sympy.Add | sympy.Mul) and part.free_symbols.isdisjoint(_ANGLES) and not part.is_number
+    return (
+        isinstance(part, sympy.Add | sympy.Mul)
+        and _ANGLES.isdisjoint(parts_of_kinds(part, (sympy.Symbol,)))
+        and not part.is_number
+    )
 
 
 def _as_symbol(stated: sympy.Basic, angle: sympy.Expr) -> Any:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import lru_cache
+from itertools import starmap
 from operator import is_
 from typing import Any
 
 import sympy
 
 from chasles.compiling.angles import KEPT, QUOTIENTS, divisors, parts_of_kinds
-from chasles.compiling.divided_differences import NO_VALUES, DividedDifferences
+from chasles.compiling.divided_differences import NO_VALUES, DividedDifferences, SymbolValue
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.refusal import LoweringError
 
@@ -53,9 +54,9 @@ def _regular(expression: Any) -> Any:
     below = dict.fromkeys(base for part in parts for base in _divided(part)) if len(parts) > 1 else {}
     points = [point for divisor in below for point in _zeros(divisor)]
     limits: list[tuple[Any, Any, list[Any]]] = []
-    for symbol, point in dict.fromkeys(points):
-        differences = DividedDifferences(symbol, point)
-        if not any(differences.hold(where) for _, where, _ in limits):
+    for point in dict.fromkeys(points):
+        if not any(point.hold(where) for _, where, _ in limits):
+            differences = DividedDifferences(point)
             with suppress(LoweringError):
                 near, singular = _near(join, parts, differences)
                 limits.append((near, sympy.And(*differences.conditions_of(near)), singular))
@@ -74,45 +75,47 @@ def _regular(expression: Any) -> Any:
 
 def _near(join: Any, parts: Sequence[Any], differences: DividedDifferences) -> tuple[Any, list[Any]]:
     """What the singular parts are near the point, and these. Raises `LoweringError` where there is no limit."""
-    own = [part for part in parts if _over_one(part, differences)[1]]
+    point = differences.point
+    own = [part for part in parts if _over_one(part, point)[1]]
     if join is sympy.Mul:
-        own = [part for part in parts if part in own or differences.vanish(part)]
-    above, below = _over_one(join(*own), differences)
+        own = [part for part in parts if part in own or point.vanish(part)]
+    above, below = _over_one(join(*own), point)
     if not below or (join is sympy.Add and len(own) < 2):
         raise LoweringError("nothing is divided that vanishes")
     near, order = sympy.S.One, 0
-    told = [sympy.factor_terms(part) if differences.vanish(part) else part for part in sympy.Mul.make_args(above)]
+    told = [_in_factors(part) if point.vanish(part) else part for part in sympy.Mul.make_args(above)]
     factors = [factor.as_base_exp() for part in told for factor in sympy.Mul.make_args(part)]
     for base, exponent in (*factors, *((base, -power) for base, power in below.items())):
         left, times = base, 0
-        while exponent.is_Integer and times < _MOST_ORDER and differences.vanish(left):
+        while exponent.is_Integer and times < _MOST_ORDER and point.vanish(left):
             left, times = differences.of(left), times + 1
         near *= left**exponent
         order += times * exponent
-    near *= differences.apart ** max(order, 0)
-    if order < 0 or differences.at_point(near).has(*NO_VALUES):
+    near *= point.apart ** max(order, 0)
+    if order < 0 or point.of(near).has(*NO_VALUES):
         raise LoweringError("there is no limit")
     return near, own
 
 
-def _over_one(expression: Any, differences: DividedDifferences) -> tuple[Any, dict[Any, int]]:
+@lru_cache(KEPT)
+def _over_one(expression: Any, point: SymbolValue) -> tuple[Any, dict[Any, int]]:
     """What stands over one denominator of what vanishes at the point, and its powers."""
-    if not any(map(differences.vanish, _divided(expression))):
+    if not any(map(point.vanish, _divided(expression))):
         return expression, {}
     if type(expression) in QUOTIENTS:
-        return _over_one(QUOTIENTS[type(expression)](expression.args[0]), differences)
+        return _over_one(QUOTIENTS[type(expression)](expression.args[0]), point)
     base, exponent = expression.as_base_exp()
     if expression.is_Pow and exponent.is_Integer:
-        above, below = _over_one(base, differences)
+        above, below = _over_one(base, point)
         if exponent > 0:
             return above**exponent, {b: e * exponent for b, e in below.items()}
         split = _factors(above)
-        found = {factor: -power * exponent for factor, power in split if differences.vanish(factor)}
+        found = {factor: -power * exponent for factor, power in split if point.vanish(factor)}
         others = [factor ** (power * exponent) for factor, power in split if factor not in found]
         return sympy.Mul(*others, *(b ** (-e * exponent) for b, e in below.items())), found
     if expression.is_Pow:
         return expression, {}
-    parts = [_over_one(part, differences) for part in expression.args]
+    parts = [_over_one(part, point) for part in expression.args]
     common: dict[Any, int] = {}
     for _, below in parts:
         for b, e in below.items():
@@ -123,10 +126,13 @@ def _over_one(expression: Any, differences: DividedDifferences) -> tuple[Any, di
     return sympy.Add(*(above * by for (above, _), by in zip(parts, missing, strict=True))), common
 
 
+_in_factors = lru_cache(KEPT)(sympy.factor_terms)
+
+
 @lru_cache(KEPT)
 def _factors(expression: Any) -> list[tuple[Any, Any]]:
     """Its factors and their powers, as far as they are seen term by term."""
-    return [each for factor in sympy.Mul.make_args(sympy.factor_terms(expression)) for each in _primitive(factor)]
+    return [each for factor in sympy.Mul.make_args(_in_factors(expression)) for each in _primitive(factor)]
 
 
 def _primitive(factor: Any) -> list[tuple[Any, Any]]:
@@ -155,12 +161,12 @@ def _size(expression: Any) -> int:
 
 
 @lru_cache(KEPT)
-def _zeros(divisor: Any) -> tuple[tuple[Any, Any], ...]:
-    """Symbols, and values at which the divisor vanishes: numbers, and sums of other symbols."""
+def _zeros(divisor: Any) -> tuple[SymbolValue, ...]:
+    """Values of symbols, at which the divisor vanishes: numbers, and sums of other symbols."""
     large = _size(divisor) > _MOST_PARTS or len(divisor.free_symbols) > _MOST_SYMBOLS
     if large or (divisor.is_Add and _is_sum_of_squares(divisor)):
         return ()
-    return tuple(point for point in _tried(divisor) if DividedDifferences(*point).vanish(divisor))
+    return tuple(point for point in starmap(SymbolValue, _tried(divisor)) if point.vanish(divisor))
 
 
 def _is_sum_of_squares(total: sympy.Add) -> bool:
@@ -186,7 +192,7 @@ def _tried(divisor: Any) -> Iterator[tuple[Any, Any]]:
             yield from ((symbol, sign * root) for sign in ((1,) if exponent.is_odd else (1, -1)))
             return
     for apart in _sides_apart(divisor):
-        yield from (point for factor in sympy.Mul.make_args(sympy.factor_terms(apart)) for point in _tried(factor))
+        yield from (point for factor in sympy.Mul.make_args(_in_factors(apart)) for point in _tried(factor))
     numbers = _NUMBERS + (_ANGLES if parts_of_kinds(divisor, (sympy.sin, sympy.cos, sympy.tan)) else ())
     for k, symbol in enumerate(symbols):
         yield from ((symbol, number) for number in numbers)
