@@ -421,3 +421,32 @@ def test_nothing_holds_since_an_open_equation_makes_both_sides_vanish() -> None:
     page = "$$x = 2 V - 20 V = 0 A$$\n\n$$y = 3 V = 4 V$$"
     found = [each.verdict for each in chasles.read(page, letters, "md").equations]
     assert found == ["defined", "open", "defined", "open"]
+
+
+def test_nothing_holds_since_letters_are_constant_that_make_both_sides_vanish() -> None:
+    letters = {"symbols": {"P": "scalar", "R": "scalar", r"\phi": "scalar"}}
+    page = r"$$P = \sin\phi$$ $$R = \cos\phi$$ $$\dot P = \dot R$$"
+    assert chasles.read(page, letters, "md").equations[-1].verdict == "open"
+
+
+CASE = r"""$$s = \sqrt{2 J T - L^2} \, u, \quad L = \sqrt{I^2 u^2 + J^2 w^2}$$
+
+$$u = 2 k w$$
+
+In particular, $$u = 0, \quad w = 1$$ This is a rotation.
+
+$$k = 1$$
+
+{}"""
+
+
+@pytest.mark.parametrize("claim", ["s = n u", "s + 1 = w"])
+def test_what_is_open_and_says_what_a_letter_is_in_one_case_is_no_premise_of_others(claim: str) -> None:
+    letters = {"symbols": dict.fromkeys(("s", "u", "w", "L", "I", "J", "T", "k", "n"), "scalar")}
+    assert chasles.read(CASE.replace("{}", f"$${claim}$$"), letters, "md").equations[-1].verdict == "open"
+
+
+def test_nothing_fails_at_values_that_the_page_takes_for_an_example_behind_it() -> None:
+    letters = {"symbols": dict.fromkeys("xy", "scalar")}
+    page = "$$x + y = 0$$\n\nFor example, $$x = 0, \\quad y = 1$$"
+    assert chasles.read(page, letters, "md").equations[0].verdict == "open"

@@ -16,6 +16,7 @@ from chasles.pages.facts import divisors
 from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities, last_said
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Condition, Statement
+from chasles.statements.rules import rated
 from chasles.vocabulary import Node, Zero
 from chasles.vocabulary.letters import zero_of
 
@@ -59,16 +60,20 @@ def attempts(
         yield from ((True, each) for each in whole[-MOST_WHOLE:])
 
     for likely, known in chosen():
-        if _is_new(*known, seen) and not _vanishes(claim, known, consequences):
+        if _is_new(*known, seen) and not _vanishes(claim, known, premises, consequences):
             attempt = with_premises(claim, premises, *known)
             names = tuple(name for name in map(named, attempt.given) if name in premises.unproved)
             yield from ways(Attempt(attempt, likely, names), premises, known[1])
 
 
-def _vanishes(claim: Claim, known: Known, consequences: Consequences) -> bool:
-    """Whether both sides vanish, as a letter does, by what is posed, neither being zero in print: that says nothing."""
-    free = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
-    if not known[1] or any(side == zero_of(side.shape) or isinstance(side, Zero) for side in claim.printed):
+def _vanishes(claim: Claim, known: Known, premises: Premises, consequences: Consequences) -> bool:
+    """Whether what is posed or left open makes both sides and a letter or a rate vanish, and no side is zero in print.
+
+    That says nothing.
+    """
+    free = (rated(*found) for found in free_quantities(claim.printed, known[0]))
+    is_defined = not known[1] and not any(rule in premises.opened.values() for rule in known[0].values())
+    if is_defined or any(side == zero_of(side.shape) or isinstance(side, Zero) for side in claim.printed):
         return False
     told = consequences, consequences.elsewhere  # nothing may be left of a motion by chance
     vanish = (all(at.may_follow(each, zero_of(each.shape), *known) for at in told) for each in (*claim.printed, *free))

@@ -241,16 +241,21 @@ class Deduction:
         return fails if names <= self.premises.relied else finding
 
     def _proof_ahead(self, claim: Claim, ahead: tuple[Claim, ...]) -> PageFinding | None:
-        """The finding on a claim that follows from what the page defines ahead; what it defines anew counts only so."""
-        finding = self._proof(claim) if self._foretell(claim, ahead) else None
-        before = self.premises.copy(), dict(self._foretold)
-        if finding is None and self._foretell(claim, ahead, anew=True):
-            finding = self._proof(claim)
-            if finding is None:
-                self.premises, self._foretold = before
-        return finding
+        """The finding on a claim that follows from what the page defines ahead.
 
-    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...], anew: bool = False) -> bool:
+        What it defines anew counts only so, and so do values in numbers, which may be those of an example.
+        """
+        for anew in (False, True):
+            before = self.premises.copy(), dict(self._foretold)
+            finding = self._proof(claim) if self._foretell(claim, ahead, anew) else None
+            if finding is not None:
+                return finding
+            new = (each.statement for name, each in self._foretold.items() if name not in before[1])
+            if anew or not all(isinstance(each, Statement) and symbols_in((each.right,)) for each in new):
+                self.premises, self._foretold = before
+        return None
+
+    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...], anew: bool) -> bool:
         """Take in advance the definitions of symbols that are new in a claim, or defined `anew`, if there are any."""
         before, found = len(self._foretold), symbols_in(claim.printed)
         new = found - {symbol for symbol, _ in self.premises.spoken}
@@ -278,11 +283,13 @@ class Deduction:
         if not any(map(indices_of, claim.printed)):
             said = as_hypothesis(named(claim), *claim.printed, self.session, self.consequences)
             key = said_to_be(claim) if is_open or is_rule else None
+            self.premises.unproved.add(named(claim))
+            if is_open and key is not None and not (key[0][1] or symbols_in(claim.printed) - {key[0][0]}):
+                return PageFinding("condition", verdict, claim, open=True)  # the value of a letter in one case
             if key is not None:
                 self.premises.opened[key[0]] = definition_of(claim, key[1])
                 self.premises.said.append(self.premises.opened[key[0]])
             self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open, key is not None))
-            self.premises.unproved.add(named(claim))
         return PageFinding("condition", verdict, claim, open=is_open)
 
     def _satisfied(self, claim: Claim) -> Verdict:
