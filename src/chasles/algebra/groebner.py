@@ -21,6 +21,7 @@ from chasles.algebra.work_limit import OutOfTime, afford, spend, within
 
 Explicit = tuple[int, int, Polynomial]
 """The place of an equation, the place of a variable, and the variable less its value."""
+Combination = dict[int, Polynomial]
 
 
 def explicit(ring: Ring, equations: Sequence[Polynomial], places: Iterable[int]) -> list[Explicit]:
@@ -56,9 +57,6 @@ def put_in(ring: Ring, polynomial: Polynomial, values: Sequence[Explicit]) -> tu
             polynomial = polynomial - cofactor * equation
             cofactors = plus(cofactors, {k: cofactor})
     return cofactors, polynomial
-
-
-Combination = dict[int, Polynomial]
 
 
 def plus(one: Combination, other: Combination) -> Combination:

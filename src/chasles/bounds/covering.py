@@ -27,6 +27,16 @@ from chasles.bounds.running import Running
 
 Measure = Callable[[Running, float], Array]
 """In each box a bound on the error; what is small enough need not be the smallest that can be proved."""
+CLOSE = 1.033
+"""How much larger than at a point the bound over all boxes may be."""
+PARTED = 1.25
+"""How much too large a bound may be for its box to be parted at a power of two besides being halved."""
+POINTS, MOVES, CLIMBS = 32, 8, 14
+"""How many of the best points are kept, into how many each is moved, and how often."""
+FAIR, STUCK = 1.2, 4
+"""How much larger it may be where so many rounds have made it no smaller."""
+WIDEST = 1.5
+"""How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,18 +157,6 @@ def scales_of(boxes: Boxes) -> Array:
             one = np.ones(len(boxes.owner))
             scales += [one * math.pi] if isinstance(piece, AnglePiece) else [one, one]
     return np.stack(scales, axis=1)
-
-
-CLOSE = 1.033
-"""How much larger than at a point the bound over all boxes may be."""
-PARTED = 1.25
-"""How much too large a bound may be for its box to be parted at a power of two besides being halved."""
-POINTS, MOVES, CLIMBS = 32, 8, 14
-"""How many of the best points are kept, into how many each is moved, and how often."""
-FAIR, STUCK = 1.2, 4
-"""How much larger it may be where so many rounds have made it no smaller."""
-WIDEST = 1.5
-"""How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
 
 
 def largest(outline: Outline, model: Model, cover: Cover, measure: Measure, budget: int) -> float:

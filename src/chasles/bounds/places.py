@@ -16,6 +16,14 @@ from numpy.typing import NDArray
 from chasles.bounds.intervals import SAFE, Array, Interval
 from chasles.lowering.program import Op
 
+Places = tuple[NDArray[np.int64], NDArray[np.int64]]
+"""The smallest and the largest exponent of two that a step's result may have before it is rounded."""
+Sides = tuple[NDArray[np.bool_], NDArray[np.int64]]
+"""Whether a result may lie on both sides of a power of two before it is rounded, and of which."""
+NOWHERE = -5000
+"""An exponent below that of every number."""
+TURNS = (Op.SINE, Op.COSINE)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scaled:
@@ -28,16 +36,6 @@ class Scaled:
     def part(self, rows: NDArray[np.intp]) -> Scaled:
         """The value in these boxes alone."""
         return Scaled(self.power, self.value.part(rows), self.error[rows])
-
-
-Places = tuple[NDArray[np.int64], NDArray[np.int64]]
-"""The smallest and the largest exponent of two that a step's result may have before it is rounded."""
-Sides = tuple[NDArray[np.bool_], NDArray[np.int64]]
-"""Whether a result may lie on both sides of a power of two before it is rounded, and of which."""
-
-NOWHERE = -5000
-"""An exponent below that of every number."""
-TURNS = (Op.SINE, Op.COSINE)
 
 
 def _exponent(size: Array) -> NDArray[np.int64]:

@@ -23,14 +23,12 @@ from chasles.lowering.program import Op, Step
 
 Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]
 """Sine and cosine of a multiple of an argument's entry."""
+COMPARISONS = (Op.LESS, Op.EQUAL)
 
 
 def no_angles(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
     """The angles of a program that has none apart from its other values. Raises KeyError."""
     raise KeyError((argument, entry, factor))
-
-
-COMPARISONS = (Op.LESS, Op.EQUAL)
 
 
 class Running(Choices):

@@ -23,6 +23,9 @@ from chasles.bounds.intervals import SAFE, Array, Interval, below, function_of
 from chasles.bounds.running import Running
 from chasles.lowering.program import Op, Step
 
+Group = tuple[int, ...]
+"""Steps that hold the entries of one result and one physical dimension."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Slope:
@@ -144,10 +147,6 @@ def _slopes(step: Step, of: list[Interval]) -> list[Callable[[], Interval]]:
             return [lambda: Interval(low, high)]
         case _:
             return [partial(function_of, slope_name(step.function, k), *of) for k in range(len(of))]
-
-
-Group = tuple[int, ...]
-"""Steps that hold the entries of one result and one physical dimension."""
 
 
 def against_largest(running: Running, groups: Sequence[Group], unit: Fraction, enough: float = 0.0) -> Array:

@@ -19,6 +19,10 @@ from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, packed
 from chasles.checker.witness import Point, value_at
 
+Row = dict[int, Fraction]
+MOST_MULTIPLES = 400
+"""So many products of polynomials and variables are looked at, at most."""
+
 
 def eliminated(rows: Sequence[Sequence[Fraction]], size: int) -> tuple[list[list[Fraction]], list[int]]:
     """The rows in reduced echelon form, and those of the first `size` columns in which they begin."""
@@ -39,11 +43,6 @@ def eliminated(rows: Sequence[Sequence[Fraction]], size: int) -> tuple[list[list
 def rank(rows: Sequence[Sequence[Fraction]]) -> int:
     """The rank."""
     return len(eliminated(rows, len(rows[0]))[1]) if rows else 0
-
-
-Row = dict[int, Fraction]
-MOST_MULTIPLES = 400
-"""So many products of polynomials and variables are looked at, at most."""
 
 
 def independent(polynomials: Sequence[Polynomial], point: Point) -> list[Polynomial]:

@@ -18,6 +18,7 @@ MALFORMED = (
 MOST_PRODUCTS, MOST_POWER = 10_000_000, 2**15 - 1
 """So many products of terms does a check form at most, and no higher power of a variable."""
 _left: ContextVar[list[int]] = ContextVar("left", default=[])  # noqa: B039 - nothing is counted there
+Matrix = list[list[Any]]
 
 
 class Rejected(ValueError):
@@ -178,9 +179,6 @@ def powered(place: int, power: str | int) -> Polynomial:
     if not 1 <= int(power) <= MOST_POWER:
         raise Rejected(f"the certificate has {power!r} where an exponent from 1 to {MOST_POWER} is due")
     return variable(place, int(power))
-
-
-Matrix = list[list[Any]]
 
 
 def determinant(m: Matrix, one: Any = ONE) -> Any:

@@ -36,6 +36,8 @@ _SEEDS = 64
 _POINTS = 8
 KEPT = 2**15
 """Parts of which it is known what they are: expressions share them, and each is met many times."""
+ANGLE, ROOT = (sympy.Dummy(name, dummy_index=k, real=True) for k, name in enumerate(("angle", "root")))
+"""The symbol in place of the angle meanwhile, and that for one that is a multiple of a root."""
 
 
 def parts_of(expression: sympy.Basic, others: Collection[sympy.Basic]) -> dict[sympy.Basic, None]:
@@ -124,10 +126,6 @@ def _residue(expression: Any, draw: Random) -> int | None:
                     return None
                 known[part] = pow(root, int(exponent.p), _PRIME)
     return of(expression)
-
-
-ANGLE, ROOT = (sympy.Dummy(name, dummy_index=k, real=True) for k, name in enumerate(("angle", "root")))
-"""The symbol in place of the angle meanwhile, and that for one that is a multiple of a root."""
 
 
 class WholeAngle:

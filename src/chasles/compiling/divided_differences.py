@@ -23,6 +23,8 @@ NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo, sympy.I)
 _NEGLIGIBLE = sympy.Float("1e-50")
 _WRITTEN_OUT = 8
 """So many factors has a whole power of which the terms are written one by one."""
+_ENTIRE = (sympy.sin, sympy.cos, sympy.tan, sympy.exp)
+_BY_QUADRATURE = (sympy.erf, sympy.erfc, sympy.fresnels, sympy.fresnelc)
 
 
 @dataclass(slots=True)
@@ -240,8 +242,6 @@ def _mean_slope(function: Any, u: Any, v: Any, d: Any) -> Any:
     return sympy.Add(*(sympy.Rational(weight) / 2 * rate for weight, rate in zip(weights, rates, strict=True)))
 
 
-_ENTIRE = (sympy.sin, sympy.cos, sympy.tan, sympy.exp)
-_BY_QUADRATURE = (sympy.erf, sympy.erfc, sympy.fresnels, sympy.fresnelc)
 _RULES: Mapping[Any, Callable[[Any, Any, Any], Any]] = {
     sympy.exp: lambda u, v, d: sympy.exp((u + v) / 2) * _left(sympy.sinh, d / 2),
     sympy.log: lambda u, v, d: 2 * _left(sympy.atanh, d / (u + v)) / (u + v),

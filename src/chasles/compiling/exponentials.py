@@ -20,6 +20,7 @@ from chasles.lowering.builder import Builder
 
 _TERMS = 16
 """So many are enough where numbers are at most a half."""
+_MOST_POINTS = 6
 
 
 class HeldLargest(sympy.Function):  # type: ignore[misc]
@@ -80,9 +81,6 @@ def _series_of_exponential(build: Builder, points: Sequence[int]) -> int:
     weights = (build.constant(Fraction(1, factorial(k + len(points) - 1))) for k in range(_TERMS))
     terms = [build.multiply(weight, each) for weight, each in zip(weights, homogeneous, strict=True)]
     return build.multiply(build.function("exp", middle), reduce(build.add, reversed(terms)))
-
-
-_MOST_POINTS = 6
 
 
 def with_points_together(total: Any) -> Any:

@@ -41,6 +41,11 @@ CHEAPEST = 2
 """So many of the spellings have functions of an angle in lowest terms, too."""
 WORK_PER_STEP = 2_000
 """Products of terms, for each step, in which another spelling is proved to be the same, or else is not taken."""
+_KNOWN = {*functions_by_class(Builder()), sympy.log, sympy.Piecewise}
+_LOSING = (sympy.hyper, sympy.meijerg, sympy.lerchphi)
+"""What SymPy writes these in cancels where it has a limit."""
+_DEPTH = 4
+"""So often is looked at what comes out."""
 
 
 def program_of(
@@ -132,17 +137,12 @@ def _expanded(function: Any) -> Any:
     return written.expand() if isinstance(function, sympy.jn | sympy.yn) else written
 
 
-_KNOWN = {*functions_by_class(Builder()), sympy.log, sympy.Piecewise}
-_LOSING = (sympy.hyper, sympy.meijerg, sympy.lerchphi)
-"""What SymPy writes these in cancels where it has a limit."""
 _WAYS: tuple[Callable[[Any], Any], ...] = (
     lambda function: function.rewrite(sympy.Piecewise, deep=False),
     _expanded,
     lambda function: function.rewrite(sympy.gamma, deep=False),
     lambda function: function.rewrite(sympy.atan2, deep=False),
 )
-_DEPTH = 4
-"""So often is looked at what comes out."""
 
 
 def in_known_functions(expressions: Iterable[sympy.Basic]) -> list[Any]:

@@ -15,6 +15,9 @@ from sympy.simplify.cse_main import Unevaluated, match_common_args
 
 from chasles.compiling.variables import HELD
 
+Monomial = dict[sympy.Expr, int]
+"""Whole powers by what is raised to them; the number in front has the key 1, and the power 1."""
+
 
 def common(expressions: Iterable[sympy.Basic]) -> dict[sympy.Basic, Any]:
     """Sums and products spelled as such of others, so that what they share is one of them; opposite ones are one.
@@ -72,10 +75,6 @@ def parts_before(expressions: Iterable[sympy.Basic]) -> Iterator[sympy.Basic]:
         if part not in seen:
             seen.add(part)
             yield part
-
-
-Monomial = dict[sympy.Expr, int]
-"""Whole powers by what is raised to them; the number in front has the key 1, and the power 1."""
 
 
 def nested(expression: sympy.Basic, done: dict[sympy.Basic, sympy.Basic] | None = None) -> sympy.Basic:

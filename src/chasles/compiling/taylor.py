@@ -15,6 +15,8 @@ from sympy.codegen.cfunctions import log1p
 
 _ENOUGH = sympy.Rational(1, 2**60)
 """What is left out of a polynomial, in parts of its first term."""
+_ANY = sympy.Integer(2)
+_HALF = sympy.Rational(1, 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +28,6 @@ class Analytic:
     limit: sympy.Rational
 
 
-_ANY = sympy.Integer(2)
-_HALF = sympy.Rational(1, 2)
 CIRCULAR = {sympy.cos: Analytic(0, 2, _ANY), sympy.sin: Analytic(1, 2, _ANY)}
 ANALYTIC = CIRCULAR | {
     sympy.exp: Analytic(0, 1, _ANY),

@@ -41,6 +41,9 @@ AT_ONCE = 2
 FORBIDDEN = re.compile(
     r"\b(?:Admitted|admit|give_up)\b|^\s*(?:Axioms?|Parameters?|Conjecture|Hypothes[ie]s|Variables?)\b", re.MULTILINE
 )
+KEPT = "coq.txt"
+MOST = 10**5
+"""So many theorems are remembered, 7 MB."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,11 +179,6 @@ def _reason(done: subprocess.CompletedProcess[str], what: str = "proof") -> str:
         return "it takes more time or memory than one file may"
     said = re.sub(r"\s+", " ", done.stderr.partition("Error:")[2]).strip()
     return f"Coq refuses the {what}: {said[-200:] or done.stderr.strip()[-200:]}"
-
-
-KEPT = "coq.txt"
-MOST = 10**5
-"""So many theorems are remembered, 7 MB."""
 
 
 def accepted_before(claims: Iterable[Claimed], version: str) -> set[str]:

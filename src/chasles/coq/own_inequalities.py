@@ -24,6 +24,12 @@ from chasles.statements import Hypothesis, Problem
 
 Values = dict[Any, Any]
 """What atoms of a question are said by."""
+SETTLED = (
+    "first [assumption | lra | repeat match goal with H : context [Rabs ?x] |- _ => revert H; unfold Rabs; "
+    "destruct (Rcase_abs x); intros end; "
+    "first [lra | above | nonnegative | not_zero_known | field; repeat split; intro; lra]]"
+)
+"""The step by which what is put in is what is assumed of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +82,6 @@ def _values(said: Said, told: Said, new: list[Any], compared: Iterable[Any]) -> 
 def _atoms(said: Any) -> Iterator[Any]:
     for e in expressions_in(said):
         yield from e.atoms(sympy.Symbol, AppliedUndef)
-
-
-SETTLED = (
-    "first [assumption | lra | repeat match goal with H : context [Rabs ?x] |- _ => revert H; unfold Rabs; "
-    "destruct (Rcase_abs x); intros end; "
-    "first [lra | above | nonnegative | not_zero_known | field; repeat split; intro; lra]]"
-)
-"""The step by which what is put in is what is assumed of it."""
 
 
 class OwnInequalities(SympyStatement):

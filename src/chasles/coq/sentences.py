@@ -11,6 +11,9 @@ from itertools import groupby
 
 from chasles.coq.statement import CoqStatement, Premise
 
+NOW = " t now'"
+"""An instant, and that it is among those of which something is said."""
+
 
 @dataclass(frozen=True, slots=True)
 class Claimed:
@@ -37,10 +40,6 @@ class Claimed:
     def theorem(self) -> str:
         """The name of the theorem."""
         return f"{self.name}_holds"
-
-
-NOW = " t now'"
-"""An instant, and that it is among those of which something is said."""
 
 
 def equal_rates(name: str, value: str, sides: str, steps: str, scalar: bool = True) -> str:

@@ -12,6 +12,15 @@ from chasles.coq.plain import PlainExpressions, text_of
 
 LEMMAS = {sympy.asin: "of_asin", sympy.acos: "of_acos", sympy.atan: "of_atan", sympy.atan2: "of_atan2"}
 TANGENTS = (sympy.atan, sympy.atan2)
+UNIT = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
+OPENED = (
+    "repeat first [rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg "
+    "| rewrite sin_neg | at_parts_of_pi]"
+)
+MOST_TURNS = 16
+"""Multiples of an angle beyond this are not taken apart."""
+KNOWN = tuple(sympy.pi / part for part in (2, 3, 4, 6))
+"""Angles whose cosine and sine the theories know."""
 
 
 def inverse(plain: PlainExpressions, e: Any) -> Any:
@@ -53,17 +62,6 @@ def cosine_and_sine(plain: PlainExpressions, e: Any) -> tuple[str, Any, Any]:
         ]
         plain.values += [f"cos'{name}", f"sin'{name}"]
     return name, cosine, sine
-
-
-UNIT = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
-OPENED = (
-    "repeat first [rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg "
-    "| rewrite sin_neg | at_parts_of_pi]"
-)
-MOST_TURNS = 16
-"""Multiples of an angle beyond this are not taken apart."""
-KNOWN = tuple(sympy.pi / part for part in (2, 3, 4, 6))
-"""Angles whose cosine and sine the theories know."""
 
 
 def turned(plain: PlainExpressions, e: Any) -> Any:

@@ -18,6 +18,11 @@ from chasles.verdict import Verdict
 Sentence = Statement | Theorem | Inverse
 HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
 """A form of a statement in words."""
+WORST_FIRST = (
+    *("ill-formed", "fails", "contradictory", "undecided"),
+    *("holds-under", "holds", "posed", "assumed", "defined"),
+)
+"""The names of verdicts: what is wrong as printed, what is not known, what needs something, what is right."""
 
 
 class DoesNotStand(TypeError):
@@ -141,13 +146,6 @@ class Decisions(Several[Decision]):
     def stands(self) -> bool:
         """Whether every part is true as printed, or has a correction that is true."""
         return all(decision.stands for decision in self)
-
-
-WORST_FIRST = (
-    *("ill-formed", "fails", "contradictory", "undecided"),
-    *("holds-under", "holds", "posed", "assumed", "defined"),
-)
-"""The names of verdicts: what is wrong as printed, what is not known, what needs something, what is right."""
 
 
 def key_of(statement: Sentence, citing: Sentence | None = None) -> str:

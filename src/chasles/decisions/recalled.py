@@ -32,6 +32,7 @@ ENGINE = (
 LIBRARIES = ("sympy", "python-flint")
 MOST = 4096
 """Answers that are kept: some ten books of this size."""
+ANSWERS = "ANSWERS.json"
 
 
 def session_of(book: Chapter, anew: bool = False) -> Session:
@@ -85,9 +86,6 @@ def path_of(name: str, parts: tuple[str, ...]) -> Path | None:
     """The file of the engine that has these parts; None where nothing is to be kept."""
     folder = cache.folder()
     return None if folder is None else folder / f"{name}-{cache.engine(parts, LIBRARIES)[:16]}.json"
-
-
-ANSWERS = "ANSWERS.json"
 
 
 def shipped(package: str) -> dict[str, Any]:

@@ -19,6 +19,8 @@ from chasles.vocabulary.functions import Cases, FunctionOf
 
 Value = Any
 """A number or a matrix as SymPy, which has no types, holds it."""
+HOLDS = {"<": (-1,), "<=": (-1, 0), ">": (1,), ">=": (1, 0)}
+"""The signs of a difference for which it compares so."""
 
 
 class NoValue(LookupError):
@@ -112,10 +114,6 @@ class _ExactValues(Interpreter):
             )
         matrix: Matrix = value.tolist()
         return matrix
-
-
-HOLDS = {"<": (-1,), "<=": (-1, 0), ">": (1,), ">=": (1, 0)}
-"""The signs of a difference for which it compares so."""
 
 
 def value_of(function: str, arguments: Sequence[Any]) -> Any:

@@ -20,6 +20,10 @@ from chasles.exact.separation import is_algebraic, is_algebraic_zero
 
 C, S = sp.Symbol("c", real=True), sp.Symbol("s", real=True)
 LARGEST_MULTIPLE = 120
+BITS = 400
+LARGEST_TIMES = 1000
+MOST_OPERATIONS = 400
+"""In a number that is multiplied out: beyond, that may take minutes."""
 
 
 def by_sine_and_cosine(expression: Any) -> Any:
@@ -79,12 +83,6 @@ def _multiple(times: int) -> tuple[Any, Any]:
     for _ in range(times):
         cosine, sine = without_squares(cosine * C - sine * S), without_squares(sine * C + cosine * S)
     return cosine, sine
-
-
-BITS = 400
-LARGEST_TIMES = 1000
-MOST_OPERATIONS = 400
-"""In a number that is multiplied out: beyond, that may take minutes."""
 
 
 def vanishes(number: Any) -> bool:

@@ -21,6 +21,18 @@ LARGEST_MULTIPLE = 16
 MOST_HALVINGS = 4
 HALF = Fraction(1, 2)
 NONNEGATIVE = sympy.Dummy(nonnegative=True)
+# Each with what it is in terms of atan, asin and atan2; SymPy's acot(0) is pi/2, which division by zero leaves out.
+INVERSE: Mapping[type, Any] = {
+    sympy.atan: lambda u: (sympy.S.Zero, 1, sympy.atan, (u,)),
+    sympy.asin: lambda u: (sympy.S.Zero, 1, sympy.asin, (u,)),
+    sympy.acos: lambda u: (sympy.pi / 2, -1, sympy.asin, (u,)),
+    sympy.acot: lambda u: (sympy.S.Zero, 1, sympy.atan, (1 / u,)),
+    sympy.asec: lambda u: (sympy.pi / 2, -1, sympy.asin, (1 / u,)),
+    sympy.acsc: lambda u: (sympy.S.Zero, 1, sympy.asin, (1 / u,)),
+    sympy.atan2: lambda y, x: (sympy.S.Zero, 1, sympy.atan2, (y, x)),
+}
+RECIPROCAL = (sympy.acot, sympy.asec, sympy.acsc)
+"""What is said by one over the argument."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,20 +48,6 @@ class Arc:
     low: Fraction
     high: Fraction
     open: tuple[bool, bool]
-
-
-# Each with what it is in terms of atan, asin and atan2; SymPy's acot(0) is pi/2, which division by zero leaves out.
-INVERSE: Mapping[type, Any] = {
-    sympy.atan: lambda u: (sympy.S.Zero, 1, sympy.atan, (u,)),
-    sympy.asin: lambda u: (sympy.S.Zero, 1, sympy.asin, (u,)),
-    sympy.acos: lambda u: (sympy.pi / 2, -1, sympy.asin, (u,)),
-    sympy.acot: lambda u: (sympy.S.Zero, 1, sympy.atan, (1 / u,)),
-    sympy.asec: lambda u: (sympy.pi / 2, -1, sympy.asin, (1 / u,)),
-    sympy.acsc: lambda u: (sympy.S.Zero, 1, sympy.asin, (1 / u,)),
-    sympy.atan2: lambda y, x: (sympy.S.Zero, 1, sympy.atan2, (y, x)),
-}
-RECIPROCAL = (sympy.acot, sympy.asec, sympy.acsc)
-"""What is said by one over the argument."""
 
 
 def arc_of(function: type, arguments: tuple[Any, ...]) -> Arc:

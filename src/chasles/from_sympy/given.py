@@ -26,6 +26,7 @@ from chasles.problems.variables import Untreatable
 
 MOST_TERMS = 30
 """Longer polynomials are not factored."""
+ELEMENTARY = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
 
 def collected(given: Any, spoken_of: Sequence[Any], parts: RealParts) -> tuple[SideConditions, list[Any]]:
@@ -163,9 +164,6 @@ def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
             if isinstance(derivative.expr, AppliedUndef):
                 found[derivative.expr] = max(found.get(derivative.expr, 0), derivative.derivative_count)
     return found
-
-
-ELEMENTARY = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
 
 def without_given_angles(result: SideConditions, expressions: list[Any]) -> list[Any]:

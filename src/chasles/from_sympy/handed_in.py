@@ -29,6 +29,8 @@ from chasles.from_sympy.unknown_integrands import is_tied, without_unknown_integ
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
+SMOOTH = sympy.sin | sympy.cos | sympy.exp | AppliedUndef
+
 
 def as_said(exact: bool, *said: Any, whole: bool = False, other: Callable[[Any], Any] | None = None) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts.
@@ -115,9 +117,6 @@ def _require_real(said: Said, witness: Mapping[str, Any]) -> None:
             continue
         if e.xreplace({atom: sympy.sympify(str(witness[str(atom)])) for atom in atoms}).is_real is False:
             raise Rejected(f"{excerpt(e)} is not real where what is given holds")
-
-
-SMOOTH = sympy.sin | sympy.cos | sympy.exp | AppliedUndef
 
 
 def without_points(said: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -21,6 +21,7 @@ from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Verdict
 
 MOST_TRIED = 3
 """So many values of a letter are tried."""
+STEP = sympy.Symbol("k_1", integer=True)
 
 
 def by_induction(asked: tuple[Any, ...], answer: Callable[..., Verdict]) -> Verdict | None:
@@ -67,9 +68,6 @@ def _decided(question: Question, letter: Any, answer: Callable[..., Verdict]) ->
     said = [{"needs": list(part.needs), "proof": part.certificate, "witness": dict(part.witness)} for part in proved]
     certificate = {"induction": {"on": str(letter), "name": name, "parts": said}}
     return HoldsUnder(tuple(sorted(needs)), certificate, witness) if needs else Holds(certificate, witness)
-
-
-STEP = sympy.Symbol("k_1", integer=True)
 
 
 def stepwise(claim: Any) -> Any:

@@ -34,6 +34,9 @@ from chasles.problems.variables import Untreatable
 from chasles.prover.decide import decide_problem
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 
+MOST = 4
+"""So many forms are looked at, and so many factors of each."""
+
 
 def _decided_or_by_induction(*asked: Any) -> Verdict:
     """The verdict on the question as it stands; else on sums and products up to a letter, by induction on it."""
@@ -181,10 +184,6 @@ def _decided(question: Question) -> Verdict:
             if isinstance(again, Holds | HoldsUnder):
                 return again
     return verdict
-
-
-MOST = 4
-"""So many forms are looked at, and so many factors of each."""
 
 
 def where_forms_change(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Iterator[tuple[Any, Any, Any, Any]]:

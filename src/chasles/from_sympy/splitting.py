@@ -36,6 +36,13 @@ from chasles.prover.certifying import proved
 from chasles.verdict import Counterexample, Fails, Undecided, Verdict
 
 UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, *VALUED)
+FRACTIONS = map(sympy.Rational, ("0", "1", "1/2", "2", "1/4", "4", "1/3", "3"))
+NUMBERS = [
+    side * n for n in (*FRACTIONS, sympy.E, sympy.exp(-1), sympy.pi / 2, sympy.pi) for side in ((1, -1) if n else (1,))
+]
+FAR = 4
+MOST_NUMBERS, MOST_SYMBOLS, MOST_TERMS = 3, 3, 60
+CALLED = (sympy.exp, sympy.sin, sympy.cos, sympy.sinh, sympy.cosh, sympy.tanh, sympy.atan)
 
 
 @dataclass(slots=True)
@@ -172,15 +179,6 @@ class Splitting:
         left, right = (in_rows(side[:count], self._left) for side in said)
         met = said[0][count:]
         return Sampling(left, right, self._rows, less.given, less.spoken[2 * size :], met).counterexample()
-
-
-FRACTIONS = map(sympy.Rational, ("0", "1", "1/2", "2", "1/4", "4", "1/3", "3"))
-NUMBERS = [
-    side * n for n in (*FRACTIONS, sympy.E, sympy.exp(-1), sympy.pi / 2, sympy.pi) for side in ((1, -1) if n else (1,))
-]
-FAR = 4
-MOST_NUMBERS, MOST_SYMBOLS, MOST_TERMS = 3, 3, 60
-CALLED = (sympy.exp, sympy.sin, sympy.cos, sympy.sinh, sympy.cosh, sympy.tanh, sympy.atan)
 
 
 def thresholds(case: CheckedCase) -> list[Any]:

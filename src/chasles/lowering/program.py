@@ -13,6 +13,13 @@ from fractions import Fraction
 
 from chasles.lowering.functions import FUNCTIONS
 
+MOST_OPERANDS = 32
+"""How many operands a function over batches may have: NumPy's own limit is that of its iterators."""
+MOST_ENTRIES = 32768
+"""How many numbers these may have in all: so that a group of items fits on the stack."""
+Pattern = tuple[tuple[int, int], ...]
+"""Rows and columns of the entries of a matrix that are not zero by construction."""
+
 
 class Op(StrEnum):
     """The operations of a program; each takes the number of operands that `ARITY` or the table of functions says."""
@@ -53,15 +60,7 @@ ARITY = {
     Op.SELECT: 3,
 }
 
-MOST_OPERANDS = 32
-"""How many operands a function over batches may have: NumPy's own limit is that of its iterators."""
-MOST_ENTRIES = 32768
-"""How many numbers these may have in all: so that a group of items fits on the stack."""
 FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
-
-
-Pattern = tuple[tuple[int, int], ...]
-"""Rows and columns of the entries of a matrix that are not zero by construction."""
 
 
 @dataclass(frozen=True, slots=True)

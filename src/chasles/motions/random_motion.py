@@ -27,6 +27,8 @@ MOST_FACTORS = 100
 TERMS = 7
 """Terms of each series: so many rates less one may be taken."""
 RELATIONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+Key = tuple[Symbol, bool, bool]
+"""A symbol, whether it differs from element to element, and whether it may move."""
 
 
 class NotInMotion(Exception):
@@ -35,10 +37,6 @@ class NotInMotion(Exception):
 
 class TooFewTerms(Exception):
     """A rate of what has one term only."""
-
-
-Key = tuple[Symbol, bool, bool]
-"""A symbol, whether it differs from element to element, and whether it may move."""
 
 
 class RandomMotion:

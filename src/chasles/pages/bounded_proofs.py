@@ -32,18 +32,16 @@ MOST_WORDS, MOST_IN_BRIEF = 100, 24
 
 SymPy counts no work: where nothing says that a claim follows, or fails by a slip, few words are looked at.
 """
-
-
-class _Unproved(Exception):
-    """An entry does not vanish, or is not seen to."""
-
-
 LESS_WORK = 0.04
 """The part of the work that is taken for a refutation, or a condition."""
 LEAST_WORK = 0.02
 """The part of it that is taken where nothing is known of what follows."""
 ATTEMPTS = 24
 """So often a point is drawn."""
+
+
+class _Unproved(Exception):
+    """An entry does not vanish, or is not seen to."""
 
 
 class _FewTerms(DeclaredPoints):

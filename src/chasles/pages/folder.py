@@ -23,6 +23,9 @@ ASKED = """\
 # What only a person knows of the equations: fill in a role, "claim", "condition", "law" or "definition", or a reading
 # in LaTeX. What is filled in is used when the page is read again.
 """
+RECORD = "written.json"
+"""Of each declaration in each module a hash of what was written, by which a change is seen."""
+Record = dict[str, dict[str, str]]
 
 
 def answers(text: str) -> dict[str, dict[str, str]]:
@@ -82,11 +85,6 @@ def _unread(page: ReadPage) -> str:
         if each.verdict == "unread":
             lines += [f"- line {each.line}: {told(each)}", "", f"      {' '.join(each.printed.latex.split())}", ""]
     return "\n".join(lines)
-
-
-RECORD = "written.json"
-"""Of each declaration in each module a hash of what was written, by which a change is seen."""
-Record = dict[str, dict[str, str]]
 
 
 class BadRecord(ValueError):

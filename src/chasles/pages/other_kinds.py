@@ -24,6 +24,7 @@ SHAPES = {"matrix": (3, 3), "scalar": (1, 1)}
 """The other kinds that a letter may be, and the shape in which they are tried."""
 ANALYTIC = ("exp", "sin", "cos", "tan", "sinh", "cosh", "tanh")
 Kinds = Mapping[w.Symbol, w.Symbol]
+ASSUMED = Hypothesis("posed", (), free=True)
 
 
 def doubt_of_truth(claim: Claim, consequences: Consequences) -> str:
@@ -106,9 +107,6 @@ def _follows(claim: Claim, kinds: Kinds, consequences: Consequences) -> bool | N
 
 class _OfMatrices(Exception):
     """An exponential or a logarithm of a matrix."""
-
-
-ASSUMED = Hypothesis("posed", (), free=True)
 
 
 def _rules_of(claim: Claim, kinds: Kinds) -> tuple[dict[Quantity, Statement], Kinds]:

@@ -35,6 +35,7 @@ CIRCLE = tuple(
         (8, 15, 17),
     )
 )
+_T = TypeVar("_T")
 
 
 class RationalRandom(Random):
@@ -108,9 +109,6 @@ class RationalRandom(Random):
             return [[Fraction(self.randint(1, 3) if i == j else 0) for j in range(size)] for i in range(size)]
         g = self.free((size, size))
         return [[sum((row[i] * row[j] for row in g), Fraction(int(i == j))) for j in range(size)] for i in range(size)]
-
-
-_T = TypeVar("_T")
 
 
 class SimpleRandom(RationalRandom):

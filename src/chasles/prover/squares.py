@@ -27,6 +27,10 @@ from chasles.statements import Hypothesis, Problem
 from chasles.statements.inequalities import as_differences
 from chasles.verdict import Holds, HoldsUnder
 
+Root = tuple[Letters, Monomial]
+"""A letter that is positive, or none, and what stands on its right and, transposed, on its left."""
+SquareOfWords = tuple[Fraction, Letters, dict[Monomial, Fraction]]
+
 
 def decide_by_squares(problem: Problem, own: tuple[Hypothesis, ...]) -> Holds | HoldsUnder | None:
     """The verdict where all that is claimed is seen not to be negative, or to be positive; None where it is not."""
@@ -109,11 +113,6 @@ def _written(context: Context, squares: list[Square]) -> list[list[str]]:
     ring = context.field.ring
     roots = ((c, ring.from_terms({factor: Fraction(1)}), ring.from_terms(root)) for c, factor, root in squares)
     return [[str(c), written(ring, factor), written(ring, root)] for c, factor, root in roots]
-
-
-Root = tuple[Letters, Monomial]
-"""A letter that is positive, or none, and what stands on its right and, transposed, on its left."""
-SquareOfWords = tuple[Fraction, Letters, dict[Monomial, Fraction]]
 
 
 def squares_of_words(completion: Completion, words: Words, positive: Collection[int]) -> list[SquareOfWords] | None:

@@ -4,6 +4,23 @@ from __future__ import annotations
 
 import unicodedata
 
+TEXT_STYLES = {r"\textbf": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf"}
+"""The typeface of one letter in a text; of other texts it is upright."""
+NAMES_OF_ANGLES = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+PLAIN_NAMES = {
+    **{name: rf"\{name}" for name in (*NAMES_OF_ANGLES, "arcsin", "arccos", "arctan", "exp", "log")},
+    **{name: rf"\operatorname{{{name}}}" for name in ("asin", "acos", "atan", "sqrt", "abs", "max", "min")},
+}
+"""Functions that are typed as letters side by side, before brackets, or where that can be nothing else."""
+OPTIONAL_ARGUMENT = ("aligned", "alignedat", "array", "gathered", "split", "tabular")
+TAKES_COLUMNS = ("array", "tabular", "alignedat", "alignat", "alignat*", "subarray")
+EQUAL = frozenset({"=", ":=", "=:"})
+SAYS = r"(?:: ?)?(?:=|\\equiv|\\triangleq)"
+"""Behind a letter: what says by a text what it is."""
+DOTS = (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")
+"""Signs for what is left out."""
+_STYLE_NAMES = {"BOLD": r"\mathbf", "BOLD ITALIC": r"\boldsymbol", "ITALIC": "", "SCRIPT": r"\mathcal"}
+
 
 def _commands(names: str) -> frozenset[str]:
     return frozenset("\\" + name for name in names.split())
@@ -31,8 +48,6 @@ SWITCHES = {
 """Commands that set the rest of their group in another typeface."""
 
 TEXT = _commands("text textrm textnormal texttt textbf textit textup textsf mbox hbox intertext shortintertext")
-TEXT_STYLES = {r"\textbf": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf"}
-"""The typeface of one letter in a text; of other texts it is upright."""
 CONNECTIVES = _commands(
     "a all an and any are as at but by each either else every for from given hence i if in is let n of on or "
     "otherwise respectively since so such that the then therefore thus to unless when where which while with"
@@ -47,15 +62,9 @@ LETTERS = _commands(
 )
 """Control words that are one letter each, which a typeface is set for."""
 
-NAMES_OF_ANGLES = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
 FUNCTIONS = _commands(
     "arccos arcsin arctan arg cos cosh cot coth csc deg det dim exp gcd hom ker lg ln log Pr sec sin sinh tan tanh tr"
 )
-PLAIN_NAMES = {
-    **{name: rf"\{name}" for name in (*NAMES_OF_ANGLES, "arcsin", "arccos", "arctan", "exp", "log")},
-    **{name: rf"\operatorname{{{name}}}" for name in ("asin", "acos", "atan", "sqrt", "abs", "max", "min")},
-}
-"""Functions that are typed as letters side by side, before brackets, or where that can be nothing else."""
 
 MARKS = _commands(
     "dot ddot dddot ddddot hat widehat tilde widetilde bar overline underline vec overrightarrow overleftarrow acute "
@@ -88,8 +97,6 @@ SPACES = _commands("quad qquad hfill hfil")
 DELIMITER_SIZES = _commands("left right middle") | frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
 )
-OPTIONAL_ARGUMENT = ("aligned", "alignedat", "array", "gathered", "split", "tabular")
-TAKES_COLUMNS = ("array", "tabular", "alignedat", "alignat", "alignat*", "subarray")
 
 SYNONYMS = {
     **dict.fromkeys(_commands("dfrac tfrac cfrac sfrac nicefrac"), r"\frac"),
@@ -103,9 +110,6 @@ SYNONYMS = {
     **_pairs(r"\ast * \eqdef \triangleq \land \wedge \# \sharp \intercal \top"),
 }
 
-EQUAL = frozenset({"=", ":=", "=:"})
-SAYS = r"(?:: ?)?(?:=|\\equiv|\\triangleq)"
-"""Behind a letter: what says by a text what it is."""
 RELATIONS = frozenset({*EQUAL, "<", ">"}) | _commands(
     "equiv triangleq leq geq neq approx sim simeq cong propto ll gg in subset subseteq ni doteq Rightarrow "
     "Leftrightarrow Longleftrightarrow implies iff rightarrow leftarrow longrightarrow Longrightarrow mapsto models "
@@ -115,15 +119,12 @@ IN_ASCII = _pairs(r":= := =: =: => \Rightarrow -> \rightarrow <= \leq >= \geq")
 """Signs of relation that are typed as two characters."""
 IMPLICATIONS = _commands("implies Rightarrow Longrightarrow leadsto rightsquigarrow")
 """Between two equations: what stands before is a condition of what follows."""
-DOTS = (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")
-"""Signs for what is left out."""
 OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus circ bullet star div odot boxplus")
 
 _SIGNS = dict.fromkeys("\u00a0\u2009\u200b", " ") | _pairs(
     r"− - × \times · \cdot ⋅ \cdot ′ ' ″ '' ≡ \equiv ∥ \| ≤ \leq ≥ \geq ≠ \neq ‖ \| ≜ \triangleq ≔ := ∈ \in ∞ \infty "
     r"∂ \partial ∇ \nabla ° ^\circ"
 )
-_STYLE_NAMES = {"BOLD": r"\mathbf", "BOLD ITALIC": r"\boldsymbol", "ITALIC": "", "SCRIPT": r"\mathcal"}
 
 
 def ascii_spelling(sign: str) -> str:

@@ -27,6 +27,7 @@ bracket: OPEN (terms (COMMA terms)*)? CLOSE
 %declare RELATION SIGN INFIX ATOM OPEN CLOSE COMMA
 """
 WITHOUT_SCRIPTS = ("OPEN", "SIGN", "INFIX", "RELATION", "COMMA")
+TRANSPOSED = (["T"], [r"\top"], ["*"], [r"\dagger"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +95,6 @@ def terms_in(atom: Atom) -> Iterator[Terms]:
             yield from (side for side in (formula(atoms).sides if atoms else ()) if side is not None)
 
 
-TRANSPOSED = (["T"], [r"\top"], ["*"], [r"\dagger"])
 PARSER = Lark(GRAMMAR, parser="lalr", lexer=_Prepared, start="chain")
 BUILT = _Built()
 

@@ -14,14 +14,12 @@ from chasles.vocabulary.letters import entry_names
 
 MAY_LOSE_BOLD = re.compile(r"\\[A-Za-z]+$")
 Meaning = Callable[[Glyph], Node]
+TYPES: dict[type, str] = {str: "text in quotes", bool: "true or false", int: "a whole number", dict: "a table"}
+"""How a type is told to who writes a notation."""
 
 
 class BadNotation(ValueError):
     """A notation that cannot be used: its text says in one line what is wrong and what is expected."""
-
-
-TYPES: dict[type, str] = {str: "text in quotes", bool: "true or false", int: "a whole number", dict: "a table"}
-"""How a type is told to who writes a notation."""
 
 
 def require(said: Any, kind: type, where: str) -> None:

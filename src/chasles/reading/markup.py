@@ -27,6 +27,11 @@ CODE = re.compile(
 EMPTY_LINE = re.compile(r"\n[ \t>]*\n")
 PROSE = re.compile(r"\$|^[ \t>]*#|(?<![\\A-Za-z{])[A-Za-z]{2,}(?:[ \n][a-z]{2,}){2}(?!})", re.MULTILINE)
 """A sign of another formula, a heading, or three words in a row."""
+TAG = re.compile(r"<!--|<(/?)([a-z][\w-]*)([^<>]*)>", re.IGNORECASE)
+HIDDEN = ("", "script", "style", "pre", "code", "textarea", "noscript", "syntaxhighlight", "title")
+TEX = re.compile(r"math/tex|application/x-tex")
+DISPLAYED = re.compile(r"mode\s*=\s*display|display\s*=\s*[\"']?block")
+SOURCE = re.compile(r'\s*"source": ')
 
 
 class PageBlock(NamedTuple):
@@ -81,13 +86,6 @@ def _content(text: str, kind: str, begin: int, closing: re.Match[str] | None) ->
     label = LABEL.search(content)
     content = OPTIONS.sub(lambda option: re.sub(r"[^\n]", " ", option[0]), content)
     return PageBlock(kind, begin, end, content, label and label[1])
-
-
-TAG = re.compile(r"<!--|<(/?)([a-z][\w-]*)([^<>]*)>", re.IGNORECASE)
-HIDDEN = ("", "script", "style", "pre", "code", "textarea", "noscript", "syntaxhighlight", "title")
-TEX = re.compile(r"math/tex|application/x-tex")
-DISPLAYED = re.compile(r"mode\s*=\s*display|display\s*=\s*[\"']?block")
-SOURCE = re.compile(r'\s*"source": ')
 
 
 def of_html(text: str) -> str:

@@ -12,6 +12,9 @@ from chasles.reading.derivatives import derivative
 from chasles.reading.glyphs import Glyph, is_operator, letter_of, text_of_atom, with_arguments
 from chasles.reading.grammar import Chain, terms_in
 
+DIFFERENCES = (r"\Delta", r"\delta", "d", r"\mathrm d", r"\partial")
+"""Before a letter or brackets these make a change of it, and are no factors, unless the page has them alone too."""
+
 
 def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
     r"""The letters with arguments: True for functions, False for others that are never without.
@@ -52,10 +55,6 @@ def neighbours(chains: Iterable[Chain]) -> Iterator[tuple[Atom, Atom | None]]:
                     yield one, None if behind is None or behind.kind == "INFIX" else behind
                     found = derivative(one)
                     waiting += [*terms_in(one)][found is not None and not found.of :]
-
-
-DIFFERENCES = (r"\Delta", r"\delta", "d", r"\mathrm d", r"\partial")
-"""Before a letter or brackets these make a change of it, and are no factors, unless the page has them alone too."""
 
 
 def shown_alone(chains: Iterable[Chain]) -> frozenset[str]:

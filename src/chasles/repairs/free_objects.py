@@ -26,6 +26,8 @@ from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol,
 
 MOST_RESCALED = 2
 """Terms of the printed side whose numbers may be wrong as well."""
+_Multiple = tuple[AngleFunction, Node, Node]
+"""A function, a dyad of a vector and the row, and their product."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,10 +99,6 @@ def other_objects(
                 yield _changed(test, freedom, other, numbers)
         if found:
             return
-
-
-_Multiple = tuple[AngleFunction, Node, Node]
-"""A function, a dyad of a vector and the row, and their product."""
 
 
 def _multiples(test: ModularTest, freedom: Freedom, basis: TermBasis) -> Iterator[_Multiple]:

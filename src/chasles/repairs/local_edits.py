@@ -26,6 +26,7 @@ FORM = 3
 TWO = w.Number(Fraction(2))
 _MADE_OF_OTHERS = w.Transpose | w.Sum | w.Negative | w.Scale | w.Quotient | w.Group | w.Identity | w.Zero
 """What is transposed by its parts, or not changed by that."""
+_Times = Callable[[Node], Node]
 
 
 class SingleEdit(NamedTuple):
@@ -114,9 +115,6 @@ def _of_factors(node: Node) -> Iterator[Node]:
             for k, term in enumerate(terms):
                 for outer in _outer(term):
                     yield from _gathered(terms, k, outer)
-
-
-_Times = Callable[[Node], Node]
 
 
 def _outer(term: Node) -> Iterator[tuple[Node, _Times, bool]]:

@@ -17,6 +17,11 @@ from chasles.rewriting.places import Place, linear_places, put, with_term
 from chasles.rewriting.term_basis import TermBasis
 from chasles.vocabulary import Block, Negative, Node, Sum, plain
 
+Coefficient = list[tuple[Fraction, AngleFunction]]
+"""A sum of numbers times functions."""
+SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
+"""The effort of turning a sign, of a factor, of leaving a term out, and of putting another in its place."""
+
 
 @dataclass(frozen=True, slots=True)
 class Change:
@@ -32,12 +37,6 @@ class Change:
     effort: int = 0
     modulo: str | None = None
     marks: int = 0
-
-
-Coefficient = list[tuple[Fraction, AngleFunction]]
-"""A sum of numbers times functions."""
-SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
-"""The effort of turning a sign, of a factor, of leaving a term out, and of putting another in its place."""
 
 
 def other_number(number: Fraction) -> int:

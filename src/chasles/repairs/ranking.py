@@ -15,6 +15,8 @@ from chasles.vocabulary.functions import FunctionOf
 
 IDLE = 2
 """What each part that has no effect adds to the effort of a change."""
+ORTHOGONAL = ("rotation", "half_turn", "orthogonal")
+"""The hypotheses that say of a matrix that its transpose is its inverse."""
 
 
 class Ranking:
@@ -66,10 +68,6 @@ def _changed_marks(one: str, other: str) -> int:
         old.pop(), new.pop()
     before = next((k for k, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), min(len(old), len(new)))
     return max(len(old), len(new)) - before
-
-
-ORTHOGONAL = ("rotation", "half_turn", "orthogonal")
-"""The hypotheses that say of a matrix that its transpose is its inverse."""
 
 
 def idle_parts(node: Node, orthogonal: Container[Node] = ()) -> int:

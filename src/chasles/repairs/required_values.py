@@ -19,6 +19,7 @@ from chasles.vocabulary import Block, Node, Number, Sum, children, printed
 
 TWO = Number(Fraction(2))
 _Values = Callable[[Node], Column | None]
+_Lines = list[tuple[int, int]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,9 +92,6 @@ def _ends(place: Required) -> tuple[Column, Column] | None:
     """The values of what is around a scalar, with one and with two in its place."""
     one, two = place.values(place.with_(ONE)), place.values(place.with_(TWO))
     return None if one is None or two is None else (one, two)
-
-
-_Lines = list[tuple[int, int]]
 
 
 def _affine(lines: _Lines, own: Column, present: Column) -> bool:

@@ -30,6 +30,7 @@ from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 Point = Mapping[str, int]
 A_TERM = 12
 """What a term of a polynomial, put in or read at a point, counts as, in products."""
+_Coded = list[tuple[int, list[tuple[str, int]]]]
 
 
 class SingularResidue(ValueError):
@@ -228,9 +229,6 @@ def inverse(value: int) -> int:
     if value % MODULUS == 0:
         raise SingularResidue("a divisor vanishes at a generic point")
     return pow(value, -1, MODULUS)
-
-
-_Coded = list[tuple[int, list[tuple[str, int]]]]
 
 
 def _coded(context: Context, polynomial: Polynomial) -> _Coded:

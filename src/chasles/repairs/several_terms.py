@@ -37,6 +37,9 @@ MOST_SETS, MOST_IN_ALL = 3000, 60000
 """So many sets of new terms are looked at for one choice of terms to change, and so many in all."""
 MOST_FORMS = 6
 """So many forms of one block are given, those of the least effort."""
+_Set = tuple[tuple[int, ...], tuple[int, ...]]
+_Term = tuple[Node | None, str | None, int]
+"""A term in the place of a printed one, None for none; the change in words, and its effort."""
 
 
 @dataclass(slots=True)
@@ -110,9 +113,6 @@ def _within(column: Column, inside: Sequence[bool]) -> Column:
     return [entry if here else 0 for entry, here in zip(column, inside, strict=True)]
 
 
-_Set = tuple[tuple[int, ...], tuple[int, ...]]
-
-
 def _sets(
     residual: Column, contributions: list[Column], cores: list[Column], new: list[Column]
 ) -> Iterator[list[_Set]]:
@@ -157,10 +157,6 @@ def _covers(residual: Column, columns: list[Column], size: int) -> Iterator[tupl
         span = Span([column])
         rest = [span.reduced(column) for column in columns[k + 1 :]]
         yield from ((k, *(k + 1 + j for j in more)) for more in _covers(span.reduced(residual), rest, size - 1))
-
-
-_Term = tuple[Node | None, str | None, int]
-"""A term in the place of a printed one, None for none; the change in words, and its effort."""
 
 
 def _edited(test: ModularTest, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:

@@ -20,6 +20,10 @@ from chasles.statements.rules import rated
 from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
 
+Place = tuple[int, int]
+EntryPart = tuple[w.Symbol, int, Place | None]
+"""A symbol, which rate of it, and the entry that counts, row and column from zero; None where several count."""
+
 
 @dataclass(frozen=True, slots=True)
 class ByHand:
@@ -105,11 +109,6 @@ def _definitions(statement: Statement, symbols: Iterable[Symbol]) -> tuple[State
     """What the statement is given on the symbols."""
     found = (each for symbol in symbols for each in statement.given if each.left == symbol)
     return tuple(dict.fromkeys(found))
-
-
-Place = tuple[int, int]
-EntryPart = tuple[w.Symbol, int, Place | None]
-"""A symbol, which rate of it, and the entry that counts, row and column from zero; None where several count."""
 
 
 def parts_of_entry(node: w.Node, place: Place, order: int = 0) -> Iterator[EntryPart]:

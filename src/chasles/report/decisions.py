@@ -23,6 +23,21 @@ from chasles.report.screen import Screen
 from chasles.report.words import VERDICTS, labelled, number_of, seconds
 from chasles.statements import Entry
 
+SHOWN = 6
+"""How many kernels of one number are named."""
+HEADERS = {
+    "holds": "holds",
+    "holds-under": "holds\nunder",
+    "fails": "fails",
+    "ill-formed": "ill-\nformed",
+    "contradictory": "contra-\ndictory",
+    "undecided": "un-\ndecided",
+    "defined": "defi-\nnitions",
+    "posed": "condi-\ntions",
+    "assumed": "postu-\nlates",
+}
+ONLY_IF_ANY = ("contradictory", "undecided", "assumed")
+
 
 def verdict_table(screen: Screen, decided: Pairs) -> Iterator[RenderableType]:
     """Number, verdict, what the statement says and needs, section by section; a list where a table has no room."""
@@ -79,10 +94,6 @@ def _short(entry: Entry) -> str:
     return f"{entry.number}/{entry.statement.part}" if entry.statement.part > 1 else entry.number
 
 
-SHOWN = 6
-"""How many kernels of one number are named."""
-
-
 def contents(screen: Screen, entries: Sequence[Entry]) -> Iterator[RenderableType]:
     """Number, role and what it says; the parts of one number share a line, which says how many they are."""
     table = Table(box=None, pad_edge=False, show_header=False, padding=(0, 2, 0, 0))
@@ -117,20 +128,6 @@ def _said(parts: list[Entry]) -> Text:
     if len(names) > SHOWN:
         text.append(f"  and {len(names) - SHOWN} more", "cyan")
     return text
-
-
-HEADERS = {
-    "holds": "holds",
-    "holds-under": "holds\nunder",
-    "fails": "fails",
-    "ill-formed": "ill-\nformed",
-    "contradictory": "contra-\ndictory",
-    "undecided": "un-\ndecided",
-    "defined": "defi-\nnitions",
-    "posed": "condi-\ntions",
-    "assumed": "postu-\nlates",
-}
-ONLY_IF_ANY = ("contradictory", "undecided", "assumed")
 
 
 @dataclass(slots=True)

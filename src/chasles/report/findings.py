@@ -24,6 +24,11 @@ Pairs = Sequence[Decided]
 
 SLIPS = {"print": "wrong in the book", "scan": "lost by the scan", "both": "lost by the scan and wrong in the book"}
 """Whose slip it more likely is, in words."""
+TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[A-Za-z0-9]|\S")
+MARKS = {"&": "a separator between two blocks", r"\tilde": "a tilde", "^": "a superscript"}
+"""What is small or blank on a page, and is lost when its picture is made into text."""
+LAYOUT = frozenset(("{", "}", "(", ")", r"\left", r"\right", r"\mathbf", r"\boldsymbol"))
+"""What a difference in a mark brings with it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,13 +146,6 @@ def _listed(words: Sequence[str]) -> str:
     """As one says it: a, b and c."""
     *others, last = words
     return f"{', '.join(others)} and {last}" if others else last
-
-
-TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[A-Za-z0-9]|\S")
-MARKS = {"&": "a separator between two blocks", r"\tilde": "a tilde", "^": "a superscript"}
-"""What is small or blank on a page, and is lost when its picture is made into text."""
-LAYOUT = frozenset(("{", "}", "(", ")", r"\left", r"\right", r"\mathbf", r"\boldsymbol"))
-"""What a difference in a mark brings with it."""
 
 
 @dataclass(frozen=True, slots=True)

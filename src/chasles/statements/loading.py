@@ -38,6 +38,8 @@ KNOWN: dict[str, tuple[Any, str]] = {
     "NOTATION": (Any, ""),
 }
 """What a package says of itself beside its SECTIONS."""
+INEQUALITIES = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", r"\leq": "<=", r"\geq": ">=", r"\le": "<=", r"\ge": ">="}
+"""Signs that an equation does not have, as they are written in Python."""
 
 
 def load(package: str | PathLike[str] = BOOK) -> Chapter:
@@ -139,10 +141,6 @@ def _names(symbol: Symbol) -> Iterator[str]:
     rows, columns = symbol.shape
     has_entries = isinstance(rows, int) and isinstance(columns, int)
     yield from chain.from_iterable(entry_names(symbol.name, rows, columns)) if has_entries else (symbol.name,)
-
-
-INEQUALITIES = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", r"\leq": "<=", r"\geq": ">=", r"\le": "<=", r"\ge": ">="}
-"""Signs that an equation does not have, as they are written in Python."""
 
 
 def _idle_unknowns(said: Condition, defined: Mapping[Node, Node]) -> list[Symbol]:

@@ -15,6 +15,8 @@ from chasles.vocabulary import Call, Negative, Node, Number, Quotient, Scale, Su
 from chasles.vocabulary.functions import FunctionOf
 
 ONE = Number(Fraction(1))
+TURNS = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1), "sinh": (1, 2, 1, 2), "cosh": (2, 1, 2, 1)}
+"""Which derivatives follow each other, with their signs: 0 the exponential function, 1 sine, 2 cosine."""
 
 
 class TooShort(TypeError):
@@ -74,10 +76,6 @@ def inverse(of: PowerSeries, divisor: Node) -> PowerSeries:
                 found = _plus(found, scaled(over, minus(scaled(a, b))))
         terms.append(found)
     return PowerSeries(-lead, tuple(terms), of.known - 2 * lead)
-
-
-TURNS = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1), "sinh": (1, 2, 1, 2), "cosh": (2, 1, 2, 1)}
-"""Which derivatives follow each other, with their signs: 0 the exponential function, 1 sine, 2 cosine."""
 
 
 def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | None]:

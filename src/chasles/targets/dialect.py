@@ -13,6 +13,13 @@ from fractions import Fraction
 from chasles.lowering.program import Op, Program
 
 Shape = tuple[int, ...]
+_CIRCULAR = {
+    Op.SQUARE_ROOT: ("sqrt", 1),
+    Op.SINE: ("sin", 1),
+    Op.COSINE: ("cos", 1),
+    Op.ARCTANGENT2: ("atan2", 2),
+}
+"""The operations that C calls by a name."""
 
 
 class Level(IntEnum):
@@ -48,15 +55,6 @@ def infix(sign: str, level: Level) -> Phrase:
 def call(name: str, operands: int = 1) -> Phrase:
     """A function of so many operands."""
     return Phrase(f"{name}({', '.join(['{}'] * operands)})", Level.ATOM, (Level.CHOICE,) * operands)
-
-
-_CIRCULAR = {
-    Op.SQUARE_ROOT: ("sqrt", 1),
-    Op.SINE: ("sin", 1),
-    Op.COSINE: ("cos", 1),
-    Op.ARCTANGENT2: ("atan2", 2),
-}
-"""The operations that C calls by a name."""
 
 
 def circular(function: Callable[[str, int], Phrase]) -> dict[Op, Phrase]:

@@ -15,6 +15,8 @@ from chasles.checker.any_size.free_algebra import FreeAlgebra, Letters, Monomial
 from chasles.checker.sparse import Rejected
 from chasles.vocabulary.measure import Extent
 
+IDENTITY: Monomial = ((), ())
+
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
@@ -89,9 +91,6 @@ def stacked(rows: Sequence[Sequence[Blocks]]) -> Blocks:
             raise Rejected("two matrices are cut into blocks in different ways")
     lines = [[words for block in row for words in block.rows[k]] for row in rows for k, _ in enumerate(row[0].heights)]
     return Blocks(heights, widths, lines)
-
-
-IDENTITY: Monomial = ((), ())
 
 
 class Determinants:

@@ -21,6 +21,9 @@ from chasles.vocabulary import Node, walk
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.sizes import Size, at_exponent, sizes_of
 
+PROJECTION = {"idempotent", "symmetric"}
+"""What makes a matrix an orthogonal projection: x . P x is the square of the length of P x."""
+
 
 def first_and_next(problem: Problem, name: str) -> tuple[Problem, Problem]:
     """The problem for 1 and for n + 1; `Rejected` if n is no exponent, or something is assumed of it."""
@@ -46,10 +49,6 @@ def first_and_next(problem: Problem, name: str) -> tuple[Problem, Problem]:
     if name not in sizes_in(problem) or name in sizes_in(first):
         raise Rejected(f"{name} is no exponent, or a number of rows or columns too")
     return first, at(letter + 1)
-
-
-PROJECTION = {"idempotent", "symmetric"}
-"""What makes a matrix an orthogonal projection: x . P x is the square of the length of P x."""
 
 
 def is_mirrored(algebra: FreeAlgebra, word: Letters, letters: Collection[int]) -> bool:

@@ -16,6 +16,11 @@ from sympy.functions.elementary.trigonometric import InverseTrigonometricFunctio
 
 from chasles.checker.expressions.readings import CIRCULAR
 
+RIGHT = sp.pi / 2
+MOST_HALVINGS = 2
+Fresh = Callable[..., Any]
+"""A new symbol by its name and assumptions."""
+
 
 @dataclass(slots=True)
 class Bounds:
@@ -87,12 +92,6 @@ def in_fewer_squares(e: Any, units: Mapping[str, list[Any]]) -> tuple[Any, tuple
             e = found
             used.append(text)
     return e, tuple(used)
-
-
-RIGHT = sp.pi / 2
-MOST_HALVINGS = 2
-Fresh = Callable[..., Any]
-"""A new symbol by its name and assumptions."""
 
 
 def between(low: Any, high: Any, after: bool, before: bool, fresh: Fresh, halvings: int = 0) -> Any:

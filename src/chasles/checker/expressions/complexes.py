@@ -18,6 +18,12 @@ OF_COMPLEX = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 LARGEST_EXPONENT = 32
 Pair = tuple[Any, Any]
 Place = tuple[int, int]
+QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
+    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z), sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
+    sympy.sec: lambda z: 1 / sympy.cos(z), sympy.csc: lambda z: 1 / sympy.sin(z),
+    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z), sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
+    sympy.sech: lambda z: 1 / sympy.cosh(z), sympy.csch: lambda z: 1 / sympy.sinh(z),
+}  # fmt: skip
 
 
 class Parts:
@@ -134,13 +140,6 @@ RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
     sympy.cos: lambda a, b: (sympy.cos(a) * sympy.cosh(b), -sympy.sin(a) * sympy.sinh(b)),
     sympy.sinh: lambda a, b: (sympy.sinh(a) * sympy.cos(b), sympy.cosh(a) * sympy.sin(b)),
     sympy.cosh: lambda a, b: (sympy.cosh(a) * sympy.cos(b), sympy.sinh(a) * sympy.sin(b)),
-}  # fmt: skip
-
-QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
-    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z), sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
-    sympy.sec: lambda z: 1 / sympy.cos(z), sympy.csc: lambda z: 1 / sympy.sin(z),
-    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z), sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
-    sympy.sech: lambda z: 1 / sympy.cosh(z), sympy.csch: lambda z: 1 / sympy.sinh(z),
 }  # fmt: skip
 
 

@@ -18,6 +18,15 @@ from chasles.checker.expressions.reals import Reals
 from chasles.checker.sparse import Polynomial, Rejected
 
 COMPARING = (sympy.Piecewise, Relational, sympy.sign, sympy.Heaviside, sympy.atan2, sympy.arg)
+SIGNS = {
+    "positive": (1,), "negative": (-1,), "nonnegative": (0, 1), "nonpositive": (-1, 0),
+    "zero": (0,), "nonzero": (-1, 1),
+}  # fmt: skip
+NUMBERS = (
+    "integer", "noninteger", "even", "odd", "prime", "composite", "rational", "irrational", "algebraic",
+    "transcendental",
+)  # fmt: skip
+"""What SymPy may assume of a quantity: its sign, and what kind of number it is."""
 
 
 def is_atom(e: Any) -> bool:
@@ -83,17 +92,6 @@ def rebuilt(e: Any, parts: Sequence[Any]) -> Any:
     compared = isinstance(e, COMPARING) and any(part.free_symbols for part in parts)
     compared = compared or (isinstance(e, sympy.Function | sympy.Pow) and any(p.has(sympy.Product) for p in parts))
     return e.func(*parts, evaluate=False) if compared or isinstance(e, sympy.Piecewise) else e.func(*parts)
-
-
-SIGNS = {
-    "positive": (1,), "negative": (-1,), "nonnegative": (0, 1), "nonpositive": (-1, 0),
-    "zero": (0,), "nonzero": (-1, 1),
-}  # fmt: skip
-NUMBERS = (
-    "integer", "noninteger", "even", "odd", "prime", "composite", "rational", "irrational", "algebraic",
-    "transcendental",
-)  # fmt: skip
-"""What SymPy may assume of a quantity: its sign, and what kind of number it is."""
 
 
 def is_so(point: Reals, value: Polynomial, assumption: str) -> bool | None:

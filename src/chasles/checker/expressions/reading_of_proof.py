@@ -28,6 +28,8 @@ from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.readings import CIRCULAR, FUNCTIONS
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, packed, parsed, variable
 
+TURNED = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
+
 
 class Spoken:
     """Reads texts such as 3*x**2/sqrt(5) - cos(phi/2) with a reading; `named` are the values of what has a name."""
@@ -103,9 +105,6 @@ class Spoken:
         base = base if exponent.denominator == 1 else self.reading.root(base)
         base = base if exponent > 0 else self.reading.inverse(base)
         return self.reading.power(base, abs(exponent.numerator))
-
-
-TURNED = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
 
 
 class Proven(KnownRoots):

@@ -24,6 +24,13 @@ if TYPE_CHECKING:
 
 
 HALF, TWO = number(Fraction(1, 2)), number(2)
+CIRCULAR = {
+    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
+    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
+}  # fmt: skip
+"""What each function of an angle has above and below the line: 1, the cosine or the sine."""
+MOST_PARTS = 90
+"""Half a turn is divided into at most so many parts, and integers are by no larger number."""
 
 
 def _halved(sign: int) -> Callable[[Expressions, Polynomial], Polynomial]:
@@ -86,13 +93,6 @@ FUNCTIONS: Mapping[str, Callable[..., Polynomial]] = {
 }  # fmt: skip
 
 
-CIRCULAR = {
-    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
-    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
-}  # fmt: skip
-"""What each function of an angle has above and below the line: 1, the cosine or the sine."""
-
-
 def _power(reading: Expressions, e: Any) -> Polynomial:
     if not e.exp.is_Rational or e.exp.q & (e.exp.q - 1):
         return reading.powered(reading(e.base), reading(e.exp))
@@ -138,10 +138,6 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     type(sympy.E): lambda reading, e: reading.exp(ONE),
 }
 """How each class of expressions is read."""
-
-
-MOST_PARTS = 90
-"""Half a turn is divided into at most so many parts, and integers are by no larger number."""
 
 
 class Floor(sympy.Function):  # type: ignore[misc]

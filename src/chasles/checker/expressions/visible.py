@@ -30,6 +30,8 @@ INHERITED = {
     **dict.fromkeys((sympy.sinh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf, sympy.log), tuple(SIGNS)),
 }  # fmt: skip
 """And what they are where their arguments are so; a logarithm, where it is so of one less."""
+LEAST = {"composite": 4, "prime": 2, "positive": 1, "negative": 1, "nonnegative": 0, "nonpositive": 0}
+"""The least size of an integer of which this is so."""
 
 
 def _part(e: Any, **kinds: bool) -> Any:
@@ -52,8 +54,6 @@ BOUNDS: Mapping[type, Callable[[Any], Any]] = {
     **dict.fromkeys((sympy.sin, sympy.cos), lambda e: e.func(_bounded(e.args[0]))),
 }  # fmt: skip
 """Between what values are: parts of a whole, and cosines of some angle."""
-LEAST = {"composite": 4, "prime": 2, "positive": 1, "negative": 1, "nonnegative": 0, "nonpositive": 0}
-"""The least size of an integer of which this is so."""
 
 
 @lru_cache(maxsize=4096)

@@ -44,6 +44,8 @@ WIDE = 40
 """What is wider may have to be printed smaller to fit on a page: the style sheet is told how wide it is."""
 BOLD = {"bold": "MATHEMATICAL BOLD", "bold-italic": "MATHEMATICAL BOLD ITALIC"}
 """Browsers know bold letters as characters of their own, and no other `mathvariant` than normal."""
+ARTICLES = ("a", "A", "I")
+"""Letters that are words as well."""
 
 
 class _ForMathML(Latex):
@@ -189,10 +191,6 @@ def _bold(letter: str, variant: str) -> str:
         return lookup(f"{kind} {words}")
     except KeyError:
         return letter
-
-
-ARTICLES = ("a", "A", "I")
-"""Letters that are words as well."""
 
 
 def with_formulas(text: str, nodes: Iterable[Node], of_words: bool = True) -> Markup:

@@ -17,6 +17,7 @@ WIDTH, HEIGHT = 44, 18
 STEP_X, STEP_Y = 50, 52
 LEFT, TOP, BAND = 12, 12, 26
 """The margin, and the height of a section's heading, in units of the drawing."""
+Section = tuple[str, Sequence[NumberShown]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,9 +41,6 @@ class Box:
     def baseline(self) -> int:
         """The baseline of the label, from the top."""
         return self.y + 13
-
-
-Section = tuple[str, Sequence[NumberShown]]
 
 
 def graph_of(book: Book, sections: Sequence[Section]) -> dict[str, Any]:

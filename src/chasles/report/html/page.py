@@ -31,6 +31,8 @@ from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Section
 from chasles.vocabulary import Symbol, latex, walk
 
+FORMS = {"stated": "as stated", "offered": "in a form proved equal"}
+
 
 @dataclass(frozen=True, slots=True)
 class SectionView:
@@ -170,9 +172,6 @@ def _verdict_filters(numbers: Sequence[NumberShown]) -> Iterator[Chosen]:
 def _section_filters(sections: Sequence[SectionView]) -> Iterator[Chosen]:
     for outermost in dict.fromkeys(section.classes.split()[0] for section in sections):
         yield Chosen(f"only-{outermost}", outermost, outermost.removeprefix("within-").replace("-", "."))
-
-
-FORMS = {"stated": "as stated", "offered": "in a form proved equal"}
 
 
 def kernel_rows(book: Book, manifest: str) -> dict[str, KernelRow]:

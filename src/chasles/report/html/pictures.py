@@ -42,6 +42,10 @@ HREF = "{http://www.w3.org/1999/xlink}href"
 Names = defaultdict[str, str]
 """New names of the parts that others refer to, by the old ones."""
 KINDS = ((DrawnBody, "bodies"), (Line, "lines"), (Arrow, "arrows"), (Curve, "curves"), (Point, "points"))
+ROOM, MOST = "pictures", 16 * 2**20
+"""The folder in the cache, and how many bytes of pictures are kept: some hundred reports."""
+DRAWING = ("exact", "exercises", "report")
+"""The packages on which a picture depends."""
 
 
 def inline(figure: Any, place: str, title: str, words: str) -> Markup:
@@ -138,12 +142,6 @@ def _rounded(value: str) -> str:
     """The numbers with one decimal; of a path, without blanks that separate nothing."""
     short = re.sub(r"-?\d+\.\d+", lambda found: f"{float(found[0]):.1f}".removesuffix(".0"), value)
     return re.sub(r" *([A-Za-z]) *", r"\1", " ".join(short.split())) if short[:2] == "M " else short
-
-
-ROOM, MOST = "pictures", 16 * 2**20
-"""The folder in the cache, and how many bytes of pictures are kept: some hundred reports."""
-DRAWING = ("exact", "exercises", "report")
-"""The packages on which a picture depends."""
 
 
 def drawn(shows: Any, place: str, draw: Callable[[], Markup]) -> Markup:

@@ -21,6 +21,8 @@ from chasles.statements import Chapter
 
 _WITHIN = re.compile(r'href="#([^"]*)"')
 Files = Iterator[tuple[str, str | bytes]]
+WIDTH, HEIGHT, DOTS = 12.0, 6.3, 100
+COLUMNS, LINES = 62, 5
 
 
 def site(chapter: Chapter, decisions: DecisionsByName, sources: PageContents, address: str = "") -> Files:
@@ -72,10 +74,6 @@ def _page(
         return found[0] if home == number.place else f'href="{home}.html#{place}"'
 
     return _WITHIN.sub(led, text)
-
-
-WIDTH, HEIGHT, DOTS = 12.0, 6.3, 100
-COLUMNS, LINES = 62, 5
 
 
 def drawn_card(number: NumberShown, source: str) -> bytes | None:

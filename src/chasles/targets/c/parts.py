@@ -22,6 +22,8 @@ _STEPS = 448
 """How many steps and entries a part has."""
 _REPEATED = (Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, *TRUTH)
 """What each part that needs it does itself."""
+_Piece = tuple[list[int], list[tuple[int, int]]]
+"""Steps, and the entries of results, counted through, with the steps that hold them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,10 +64,6 @@ def parts_of(program: Program) -> CutProgram:
         kept += [(step, first + entry) for entry, step in entries]
         parts.append(_part(program, body, read, places, kept))
     return CutProgram(tuple(parts), tuple(places), room)
-
-
-_Piece = tuple[list[int], list[tuple[int, int]]]
-"""Steps, and the entries of results, counted through, with the steps that hold them."""
 
 
 def _pieces(program: Program) -> Iterator[_Piece]:

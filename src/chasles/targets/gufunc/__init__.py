@@ -19,6 +19,7 @@ from chasles.targets.target import Page, Target
 
 # The order in which NumPy looks for a loop: the first that takes the inputs without loss.
 _LOOPS = (SINGLE, DOUBLE)
+_ESCAPES = {"\n": "\\n", '"': '\\"', "\\": "\\\\", "?": "\\?"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,9 +52,6 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
 
 
 TARGET = Target("gufunc", Path(__file__).parent, _pages)
-
-
-_ESCAPES = {"\n": "\\n", '"': '\\"', "\\": "\\\\", "?": "\\?"}
 
 
 def c_string(text: str) -> str:

@@ -35,6 +35,8 @@ NAMES = {
     **{name: name for name in ("asinh", "acosh", "atanh")},
 }
 """Functions of the array API by their C names; the others are those of SciPy, in each library's own place."""
+_USED = ("xp", "batch", "out", "prepared", "delivered", "Any")
+_RESERVED = frozenset({*keyword.kwlist, *keyword.softkwlist, *dir(builtins), *_USED})
 
 
 def _function_phrase(name: str, operands: int) -> Phrase:
@@ -42,10 +44,6 @@ def _function_phrase(name: str, operands: int) -> Phrase:
     if name in NAMES:
         return call(f"xp.{NAMES[name]}", operands)
     return Phrase(f'batch.special("{name}", {", ".join(["{}"] * operands)})', Level.ATOM, (Level.CHOICE,) * operands)
-
-
-_USED = ("xp", "batch", "out", "prepared", "delivered", "Any")
-_RESERVED = frozenset({*keyword.kwlist, *keyword.softkwlist, *dir(builtins), *_USED})
 
 
 DIALECT = Dialect(
