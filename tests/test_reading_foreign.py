@@ -734,3 +734,25 @@ def test_a_quotient_of_columns_is_read_as_printed_and_ill_formed() -> None:
     quotient, value = chasles.read(r"r = \frac{\mathbf a}{\mathbf b} = h + 1", letters).equations
     assert (quotient.verdict, value.verdict) == ("ill-formed", "defined")
     assert "which is not a scalar" in quotient.finding.verdict.reason
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"0 < \text{max_step} < \text{min\_step}",
+        r"\dot x = f(x, u), \quad x\in \mathcal{X} \subset \mathbb{R}^n",
+        r"\mathbf{A}_\text{tang}\mathbf{du} = -\mathbf{R}",
+        r"J = I_{11} \hat{b}_1 \otimes \hat{b}_1 + I_{22} \hat{b}_2 \otimes \hat{b}_2",
+        r"x = a \quad\Leftrightarrow\quad y = b",
+        r"B = \lambda \operatorname{tr}(\boldsymbol\varepsilon)\mathbf{I} = \mathbb{C}:\boldsymbol\varepsilon",
+        r"\begin{cases} x = a + b \\ \phantom{x = }{} + c \\ y = d \end{cases}",
+        r"\boxplus(x, \Delta) = x + \Delta",
+        r"\frac{\tilde{\mathrm{d}}}{\mathrm{d} t}(\mathbf a\times\mathbf b) = \frac{\tilde{d} \mathbf c}{dt}",
+        r"\partial_{tt} u = c^2 \partial_{x x} u",
+        r"\usepackage{siunitx} x = \SI[per-mode=symbol]{5}{\metre\per\second}",
+    ],
+)
+def test_signs_of_other_pages_are_read_with_what_is_proposed(text: str) -> None:
+    before, text = (r"\usepackage{siunitx}", text[21:]) if text.startswith(r"\use") else ("", text)
+    printed = displayed(rf"{before} \[ {text} \]", "tex")
+    assert [each.why for each in read_equations(printed, load_notation(proposed(printed)))] == [""] * len(printed)

@@ -21,7 +21,7 @@ from chasles.reading.atoms import (
 
 MOST_TERMS = 12
 MOST_MARKS = 5_000
-SETS = (r"\in", r"\subset")
+SETS = (r"\in", r"\subset", r"\subseteq")
 SIGNS = {r"\pm": "+-", r"\mp": "-+"}
 JOINED = {r"\sum": "+", r"\prod": ""}
 

@@ -204,7 +204,7 @@ def _lines(atoms: list[Atom], environment: str) -> Iterator[tuple[list[Atom], bo
     has_brace = len(whole) > 1 and whole[0].text == r"\{"
     if len(whole) == 1 + has_brace and whole[-1].kind == "GRID" and not whole[-1].is_marked:
         name, rows = whole[-1].text, _rows(whole[-1].arguments[0])
-        is_system = (has_brace or "cases" in name) and name in SYSTEMS and all(map(_relations, rows))
+        is_system = (has_brace or "cases" in name) and name in SYSTEMS and _are_equations(rows)
         bare = rows[:1] if name == "array" else rows if name == "matrix" else []
         is_system = is_system or (not has_brace and bool(bare) and all(map(_relations, bare)))
         if WRAPPERS.fullmatch(name) or is_system:
@@ -222,7 +222,18 @@ def _lines(atoms: list[Atom], environment: str) -> Iterator[tuple[list[Atom], bo
 def _aligns_equations(atom: Atom) -> bool:
     """Whether it is an environment with a relation in each row, as a whole."""
     is_system = bool(WRAPPERS.fullmatch(atom.text)) or atom.text in SYSTEMS[2:]
-    return atom.kind == "GRID" and not atom.is_marked and is_system and all(map(_relations, _rows(atom.arguments[0])))
+    return atom.kind == "GRID" and not atom.is_marked and is_system and _are_equations(_rows(atom.arguments[0]))
+
+
+def _are_equations(rows: Sequence[Sequence[Atom]]) -> bool:
+    """Whether each row states a relation, or goes on with a sign behind one that does."""
+    return bool(rows and _relations(rows[0])) and all(_relations(row) or _goes_on(row) for row in rows)
+
+
+def _goes_on(row: Sequence[Atom]) -> bool:
+    """Whether it begins with a sign of operation."""
+    first = next((atom for atom in without_layout(row) if atom.text != "&"), None)
+    return first is not None and first.text in commands.OPERATORS
 
 
 def _spliced(atoms: list[Atom], place: int) -> list[Atom]:

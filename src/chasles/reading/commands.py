@@ -117,7 +117,9 @@ RELATIONS = frozenset({*EQUAL, "<", ">"}) | _commands(
 )
 IN_ASCII = _pairs(r":= := =: =: => \Rightarrow -> \rightarrow <= \leq >= \geq")
 """Signs of relation that are typed as two characters."""
-IMPLICATIONS = _commands("implies Rightarrow Longrightarrow leadsto rightsquigarrow")
+IMPLICATIONS = _commands(
+    "implies Rightarrow Longrightarrow leadsto rightsquigarrow iff Leftrightarrow Longleftrightarrow"
+)
 """Between two equations: what stands before is a condition of what follows."""
 OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus circ bullet star div odot boxplus")
 

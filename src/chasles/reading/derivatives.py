@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from chasles.reading.atoms import Atom, Atoms, said_of
-from chasles.reading.commands import DOTS, FUNCTIONS, LETTERS, WITH_LIMITS
+from chasles.reading.commands import DOTS, FUNCTIONS, LETTERS, MARKS, WITH_LIMITS
 
 SIGNS = ("d", "D", r"\partial", r"\delta", r"\Delta")
 COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -61,6 +61,8 @@ def derivative(atom: Atom) -> Derivative | None:
     above, below = atom.arguments
     in_frame = bool(above) and above[0].kind == "GROUP" and not above[0].arguments[0]
     above = above[in_frame:]
+    if above and above[0].text in MARKS and differential(above[0].arguments[0]):  # another derivative than d/dt
+        in_frame, above = True, (*above[0].arguments[0], *above[1:])
     sign = differential(above)
     if not sign or sign != differential(below) or above[0].sub or below[0].sub:
         return None

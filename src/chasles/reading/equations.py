@@ -24,7 +24,7 @@ from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 
-NO_CLAIM = (r"\in", r"\ni", r"\subset", r"\subseteq", r"\iff", r"\Leftrightarrow", r"\models", r"\mapsto")
+NO_CLAIM = (r"\in", r"\ni", r"\subset", r"\subseteq", r"\models", r"\mapsto")
 MOST_READINGS = 6
 
 

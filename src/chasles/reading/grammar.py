@@ -28,6 +28,8 @@ bracket: OPEN (terms (COMMA terms)*)? CLOSE
 """
 WITHOUT_SCRIPTS = ("OPEN", "SIGN", "INFIX", "RELATION", "COMMA")
 TRANSPOSED = (["T"], [r"\top"], ["*"], [r"\dagger"])
+NAMING = (r"\boxplus", r"\boxminus", r"\oplus", r"\ominus", r"\otimes", r"\odot", r"\circ", r"\star")
+"""Signs of operations that may stand before their operands, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,14 +146,21 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
 
 
 def _with_events(atoms: Atoms) -> Atoms:
-    r"""The atoms with what is said of an event as one, P(X = 1), p(x | y), and a set: \{x | x > 0\}."""
+    r"""The atoms with what is said of an event as one, P(X = 1), p(x | y), and a set: \{x | x > 0\}.
+
+    So is a sign that stands before brackets as a function does: \boxplus(x, y).
+    """
     found: list[Atom] = []
     place = 0
     while place < len(atoms):
         atom, end = atoms[place], closing(atoms, place)
         is_behind = bool(found) and found[-1].kind in ("LETTER", "COMMAND", "EVENT") and not found[-1].sups
-        if atom.kind == "OPEN" and (is_behind or atom.text == r"\{") and end and _says_event(atoms[place + 1 : end]):
-            name, last = found[-is_behind:] * is_behind, atoms[end]
+        is_named = (
+            place > 0 and atoms[place - 1].text in NAMING and (len(found) < 2 or found[-2].kind in WITHOUT_SCRIPTS)
+        )
+        says = is_named or ((is_behind or atom.text == r"\{") and _says_event(atoms[place + 1 : end]))
+        if atom.kind == "OPEN" and end and says:
+            name, last = found[-1:] * (is_behind or is_named), atoms[end]
             del found[len(found) - len(name) :]
             inside = (*name, *atoms[place:end], last.bare)
             found.append(replace(last, kind="EVENT", text=in_braces(inside), place=inside[0].place))

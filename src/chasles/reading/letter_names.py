@@ -23,7 +23,7 @@ BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
 INERTIA = re.compile(
     r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI)"
-    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z(] |\^ \{ - 1|_ \{? ?1 "
+    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z(] |\^ \{ - 1|_ \{? ?(?:1 |[1-3]{2} \})"
     r"|= (?:\\i*int|\\[dt]?frac|m) )"
     r"|\} \{ (?:[^{}()+-]* )?I(?: [^{}()+-]*)? \}"
     r"|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"

@@ -19,6 +19,8 @@ ShapeOf = Callable[[Glyph], tuple[Shape | None, tuple[str, ...]]]
 SCALAR, VECTOR, MATRIX, QUATERNION = (1, 1), (3, 1), (3, 3), (4, 1)
 OF_ANY = (r"\exp", r"\log", r"\ln", "Exp", "Log", r"\det", "tr", r"\tr", "Tr", "trace", "diag", "skew", "vect")
 """Functions of what may be no scalar."""
+TRACES = (r"\det", "tr", r"\tr", "Tr", "trace")
+"""Numbers of a square matrix."""
 TRANSPARENT = (r"\sum", r"\int", r"\oint", r"\prod", r"\lim")
 
 
@@ -113,7 +115,9 @@ class _PieceShapes:
         inner = self.atom(argument)
         if name not in OF_ANY and inner not in (SCALAR, None):
             raise Misshapen
-        return SCALAR if inner == SCALAR or name in (r"\det", "tr", r"\tr", "Tr", "trace") else None
+        if name in TRACES and inner is not None and inner[0] != inner[1]:
+            raise Misshapen
+        return SCALAR if inner == SCALAR or name in TRACES else None
 
     def atom(self, atom: Atom) -> Shape | None:
         letter, text = letter_of(atom), atom.text

@@ -13,6 +13,7 @@ from chasles.reading.derivatives import derivative, is_undefined
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
 from chasles.reading.grammar import Chain, terms_in
 from chasles.reading.letter_names import INVERSES, TRANSPOSES, NameMarks, is_declared, parted, stem_of
+from chasles.reading.letter_shapes import TRACES
 from chasles.reading.notation_file import usual_names
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
 from chasles.reading.printed import PrintedEquation
@@ -58,7 +59,7 @@ class LetterUse:
     @property
     def is_square(self) -> bool:
         """Whether it is inverted, or has a determinant or a trace."""
-        return bool(self.signs & {r"\det", "tr", r"\tr", *(f"^{sup}" for sup in INVERSES)})
+        return bool(self.signs & {*TRACES, *(f"^{sup}" for sup in INVERSES)})
 
     @property
     def is_matrix(self) -> bool:
@@ -181,6 +182,8 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts
     is_apart = not crossed and (use.is_matrix or r"\cdot" not in use.signs)
     if large and (bold or use.is_matrix) and (use.is_square or is_apart or letter in ("R", "Q", "C")):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
+    if bold and not crossed and use.signs & {*TRACES, ":"}:
+        return "matrix", "vector"
     if bold or use.signs & SKEW or (vector and not are_bold) or (has_parts and not large):
         return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
     if use.is_matrix:

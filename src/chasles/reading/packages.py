@@ -37,6 +37,6 @@ PACKAGES = {
 \newcommand\vdot{\cdot} \newcommand\div{\nabla\cdot}
 """,
     "tensor": r"\newcommand\tensor[3][]{{}#1{#2}#3}",
-    "siunitx": r"\newcommand\SI[2]{#1} \newcommand\qty[2]{#1}",
+    "siunitx": r"\newcommand\SI[3][]{#2} \newcommand\qty[3][]{#2}",
 }
 """By the name of the package, what a page that uses it may write."""

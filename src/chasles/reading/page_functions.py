@@ -65,7 +65,7 @@ def shown_alone(chains: Iterable[Chain]) -> frozenset[str]:
 def _sign(letter: Glyph) -> str:
     """The sign of a difference that a letter may be: with a letter below it D is one, too, as in D_t."""
     by = letter.sub[-1:].isalpha() and " " not in letter.sub
-    if letter.sub and not (letter.base == r"\Delta" or (by and letter.base in ("D", r"\mathrm D", r"\partial"))):
+    if letter.sub and not (letter.base in (r"\Delta", r"\partial") or (by and letter.base in ("D", r"\mathrm D"))):
         return ""
     return letter.base if letter.base in DIFFERENCES else f"{letter.base}_{letter.sub}" if letter.sub else ""
 

@@ -40,7 +40,8 @@ def without_layout(atoms: Sequence[Atom]) -> list[Atom]:
 def _without_space(atoms: Sequence[Atom]) -> list[Atom]:
     found: list[Atom] = []
     for atom in atoms:
-        if atom.text == r"\quad" and (not found or found[-1].text in _OPEN):
+        is_empty = atom.kind == "GROUP" and not (atom.arguments[0] or atom.is_marked)
+        if is_empty or (atom.text == r"\quad" and (not found or found[-1].text in _OPEN)):
             continue
         if found and found[-1].text == r"\quad" and atom.text in _CLOSE:
             found.pop()

@@ -178,6 +178,7 @@ def _names_whole(items: Atoms, ctx: FittingContext) -> Atoms:
     while place < len(items):
         bold = [item.arguments[0][0].text if item.text == r"\mathbf" else "" for item in items[place : place + 8]]
         name = next((name for name in names if bold[: len(name)] == list(name)), "")
+        name = "" if any(item.is_marked for item in items[place : place + len(name) - 1]) else name
         found.append(replace(items[place], kind="LETTER", text=name, arguments=()) if name else items[place])
         place += len(name) or 1
         for length in range(min(longest, len(found)), 1 if not name else longest, -1):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from chasles.reading.abbreviations import written_out
+from chasles.reading.abbreviations import SETS, written_out
 from chasles.reading.atoms import RELATIONS, Atom, Atoms, Unread, lines_of, single
 from chasles.reading.commands import DOTS, IMPLICATIONS
 from chasles.reading.grammar import Chain, closing, formula
@@ -84,7 +84,7 @@ def _is_heading(part: Sequence[Atom]) -> bool:
 def _is_membership(part: Atoms) -> bool:
     r"""Whether it says of what kind something is, and nothing else: x \in A, f : A \to B."""
     is_function = any(atom.text == ":" for atom in part) and _relations(part) in ([r"\to"], [r"\rightarrow"])
-    return is_function or _relations(part) == [r"\in"]
+    return is_function or (_relations(part)[:1] == [r"\in"] and set(SETS).issuperset(_relations(part)))
 
 
 def _lists_values(part: Atoms) -> bool:

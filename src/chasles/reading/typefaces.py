@@ -11,6 +11,7 @@ from chasles.reading.atoms import ROW_END, Atom, Atoms, single
 from chasles.reading.lexemes import Token, cut, spelled
 
 BRACKETED = {"[": ("]", "bmatrix"), "(": (")", "pmatrix"), "|": ("|", "vmatrix")}
+NAME = re.compile(r"[A-Za-z]+(?:\\?_[A-Za-z0-9]+)*")
 UNIT = re.compile(
     r"(?:(?:[kcmnMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|K|T)|rad|deg|h|min|ft|lbf?|rev)(?:\^?-?\d)?(?:[ /*](?=\w)|$))+", re.ASCII
 )
@@ -127,5 +128,5 @@ def text_atoms(command: Token, inside: list[Token], atoms_of: Callable[[list[Tok
     words = words[:-1] if words[:-1].isalpha() and words[-1] == "." else words  # an abbreviation
     is_apart = inside[0].text == " " == inside[-1].text  # a word of another language, perhaps
     is_connective = is_apart or "\\" + words.lower() in commands.CONNECTIVES
-    is_name = words.isalpha() and words.isascii() and not is_connective
+    is_name = bool(NAME.fullmatch(words)) and not is_connective
     return [single(command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}"))]
