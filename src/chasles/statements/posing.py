@@ -76,8 +76,9 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
 
         rules += moving(said, rules)
     factors = (part for side in claimed if isinstance(side, Inverse) for part in factors_of(side.of))
-    inverted = (nonzero(Determinant(part)) for part in factors if isinstance(part, Symbol) and not part.is_scalar)
-    hypotheses = tuple(dict.fromkeys((*hypotheses_of(statement), *used, *_agreeing(dict(rules)), *inverted)))
+    inverted = dict.fromkeys(Determinant(part) for part in factors if isinstance(part, Symbol) and not part.is_scalar)
+    stated = tuple(dict.fromkeys((*hypotheses_of(statement), *used, *_agreeing(dict(rules)))))
+    hypotheses = *stated, *(nonzero(det) for det in inverted if all(det not in each.nonvanishing for each in stated))
     free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
     if free:
         from chasles.statements.field_equations import freely_assumed  # of no use to most claims
