@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 import pytest
+import sympy as sp
 
 from chasles.checker.certificate import Rejected, check
 from chasles.checker.expressions.scalars import scalar_question
@@ -18,10 +19,10 @@ from chasles.checker.refutation import check_counterexample
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
-from chasles.statements import Claim, Condition, Definition, definite, nonzero, positive, rotation, unit
+from chasles.statements import Claim, Condition, Definition, definite, half_turn, nonzero, positive, rotation, unit
 from chasles.statements.inequalities import inequality
 from chasles.statements.posing import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     LENGTH,
@@ -155,9 +156,34 @@ def test_a_counterexample_names_the_entry_and_needs_name_hypotheses() -> None:
     assert (needs.needs, needs.unused) == (("x > 0",), ("Q is a rotation",))
 
 
-def test_a_point_that_may_not_be_definite_refutes_nothing() -> None:
-    said = claim(abs(M[1, 1]), -M[1, 1], definite(M))
-    assert Session().decide(said).verdict.name == "undecided"
+def leading_minors(point: Mapping[str, Any]) -> list[Any]:
+    entries = sp.Matrix(3, 3, lambda i, j: sp.Rational(str(point[f"M_{i + 1}{j + 1}"])))
+    return [entries[:k, :k].det() for k in (1, 2, 3)]
+
+
+def test_at_a_point_shown_a_definite_matrix_is_so() -> None:
+    for said in (claim(abs(M[1, 1]), -M[1, 1], definite(M)), claim(sqrt(det(M)), tr(M), definite(M))):
+        refuted = Session().decide(said).verdict
+        assert isinstance(refuted, Fails)
+        check_counterexample(problem_of(said), refuted.counterexample)
+        assert min(leading_minors(refuted.counterexample.at)) > 0
+        worse = {**refuted.counterexample.at, "M_11": Fraction(-1)}
+        with pytest.raises(Rejected):
+            check_counterexample(problem_of(said), replace(refuted.counterexample, at=worse))
+    said = claim(sqrt(dot(v, M @ v)) ** 2, dot(v, M @ v), definite(M))
+    proved = Session().decide(said).verdict
+    assert isinstance(proved, Holds | HoldsUnder)
+    check(said, "printed", proved.certificate)
+    assert min(leading_minors(proved.witness)) > 0
+    negative = {name: f"-{value}" if name[0] in "Md" else value for name, value in proved.certificate["point"].items()}
+    scalars = {**proved.certificate["scalars"], "witness": negative}
+    with pytest.raises(Rejected):
+        check(said, "printed", {**proved.certificate, "scalars": scalars, "point": negative})
+    verdict = Session().decide(claim(abs(M[1, 1] + 1), M[1, 1] + 1, definite(M))).verdict
+    assert verdict.needs == ("M is positive-definite",)
+    both = Session().decide(claim(abs(M[1, 1]) ** 2, M[1, 1] ** 2, definite(M), half_turn(M))).verdict
+    assert isinstance(both, Contradictory)
+    assert {*both.hypotheses} == {"M is positive-definite", "M is a half-turn"}
 
 
 @pytest.mark.parametrize("said", [TRUE[1], TRUE[7], FALSE[0], FALSE[2]], ids=lambda said: f"{said.left} = {said.right}")

@@ -25,9 +25,6 @@ from chasles.statements.conditions import ASSUMED, UNFINISHED
 from chasles.verdict import Counterexample, HoldsUnder
 from chasles.vocabulary.functions import FunctionOf
 
-BY_MORE = frozenset(("definite", UNFINISHED))
-"""Hypotheses that say more than their equations and what they keep from vanishing."""
-
 
 @dataclass(frozen=True, slots=True)
 class ScalarQuestion:
@@ -73,8 +70,8 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
     # That a condition holds is given: it is no condition of a verdict, nor is it that a vector has a direction.
-    unsaid = {*ASSUMED, "direction"}
-    stated += [("" if h.kind in unsaid else h.text, *p) for h in assumed if not _turns(h) for p in h.equations]
+    texts_of = {h: "" if h.kind in {*ASSUMED, "direction"} else h.text for h in assumed if h.kind != "definite"}
+    stated += [(text, *p) for h, text in texts_of.items() if not _turns(h) for p in h.equations]
     stated += [(h.text, abs(s), s) for h in assumed if h.kind == "positive" for s in h.subjects if s in entries.rules]
     stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:
@@ -82,6 +79,10 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
             # That a matrix is symmetric says of each pair of entries twice that they are equal.
             if sp.Eq(equation.rhs, equation.lhs, evaluate=False) not in given:
                 given[equation] = (text,)
+    for text, matrix in ((h.text, h.subjects[0]) for h in assumed if h.kind == "definite"):
+        product, diagonal = entries.factored(matrix)
+        given |= {sp.Eq(*pair, evaluate=False): (text,) for pair in zip(entries(matrix), product, strict=True)}
+        sources |= {f"{entry} is positive": (text,) for entry in diagonal}
     for hypothesis in (h for h in assumed if h.kind != "positive" or h.subjects[0] in entries.rules):
         nodes = hypothesis.nonvanishing[: 1 if hypothesis.kind == "inequality" else None]
         kept = [entries(node)[0] for node in nodes]
@@ -109,7 +110,7 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
         given |= {sp.Eq(quantity, value, evaluate=False): texts for quantity, (value, texts) in values.items()}
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
-    partial = any(h.kind in BY_MORE for h in problem.hypotheses)
+    partial = any(h.kind == UNFINISHED for h in problem.hypotheses)
     sources |= {f"{equation.lhs} = {equation.rhs}": texts for equation, texts in given.items()}
     divided = (text for e in lost for text in sources.get(f"{e} != 0", (f"{spelled(e)} != 0",)))
     used = (*entries.reasons, *dict.fromkeys(text for _, texts in values.values() for text in texts), *divided)

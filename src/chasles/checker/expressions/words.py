@@ -88,14 +88,19 @@ class EntriesOfWords:
         """Quantities between multiples of pi, or `numbers`: what has all values between these, and their texts."""
         found: dict[Any, tuple[Any, tuple[str, ...]]] = {}
         for (quantity, unit), bounds in self.bounds.items():
-            value = (
-                None
-                if quantity in found or not (numbers or unit == sp.pi)
-                else bounds.value(quantity, [sides], self._fresh)
-            )
+            wanted = quantity not in found and (numbers or unit == sp.pi)
+            value = bounds.value(quantity, [sides], self._fresh) if wanted else None
             if value is not None:
                 found[quantity] = value, bounds.texts
         return found
+
+    def factored(self, matrix: w.Node) -> tuple[Any, list[Any]]:
+        """Any positive-definite matrix of that shape: L D L.T, L lower triangular with ones; and D's diagonal."""
+        size, name = matrix.shape[0], w.plain(matrix)
+        diagonal = [self._fresh(f"d_{name}_{k + 1}", positive=True) for k in range(size)]
+        below = {(i, j): self._fresh(f"l_{name}_{i + 1}{j + 1}") for i in range(size) for j in range(i)}
+        lower = sp.Matrix(size, size, lambda i, j: below.get((i, j), int(i == j)))
+        return lower * sp.diag(*diagonal) * lower.T, diagonal
 
     def _fresh(self, name: str, **sign: bool) -> Any:
         """A quantity with a name that no other has."""
