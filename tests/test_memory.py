@@ -8,6 +8,7 @@ import multiprocessing.synchronize
 import os
 import signal
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -26,8 +27,10 @@ from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.report.closure import closure
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, load, rotation
+from chasles.statements.inequalities import inequality
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
-from chasles.vocabulary import PI, Node, cos, cross, rate, scalar, square, vector, walk
+from chasles.vocabulary import PI, Node, cos, cross, rate, scalar, sin, square, vector, walk
+from chasles.vocabulary.functions import arccos, arcsin
 
 from .sampling import WHOLE
 
@@ -93,6 +96,17 @@ def test_multiples_of_pi_survive() -> None:
         point = verdict.counterexample.at if isinstance(verdict, Fails) else verdict.witness  # type: ignore[attr-defined]
         assert isinstance(point["phi"], InPi)
         assert str(point["phi"]).endswith("pi")
+
+
+def test_numbers_of_points_that_are_no_fractions_survive() -> None:
+    within_half_a_turn = inequality(phi >= 0), inequality(phi <= PI)
+    shown = [remembered(phi, inverse(of(phi)), *within_half_a_turn) for inverse, of in ((arccos, cos), (arcsin, sin))]
+    assert [isinstance(verdict, Fails) for verdict in shown] == [False, True]
+    points = [verdict.counterexample.at if isinstance(verdict, Fails) else verdict.witness for verdict in shown]  # type: ignore[attr-defined]
+    assert not any(isinstance(point["phi"], int | Fraction) for point in points)
+    for nonsense in ("", "x", "pi/", "1 1", "().__class__", "sqrt(", "[1]"):
+        with pytest.raises(ValueError, match=r"coordinate|plain"):
+            from_data({"x": nonsense})
 
 
 def test_proofs_by_spins_survive() -> None:

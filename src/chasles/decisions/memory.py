@@ -138,7 +138,7 @@ class Memory:
     def data_of(self, key: str) -> Any:
         """An answer as plain data, as it was kept if it was; None for none, and for one with an author's own words."""
         try:
-            return self._kept[key] if key in self._kept else to_data(self._answers.get(key))
+            return self._kept.get(key) or to_data(self._answers.get(key))
         except TypeError:
             return None
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from chasles import vocabulary
 from chasles.algebra.values import InPi
+from chasles.checker.sparse import well_formed
 from chasles.repairs.repair import Repair
 from chasles.statements.fingerprint import is_said
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
@@ -46,7 +47,7 @@ def to_data(value: Any) -> Any:
         case tuple():
             return ["tuple", *map(to_data, value)]
         case Mapping():
-            return {key: f"{Fraction(held)}{IN_PI * isinstance(held, InPi)}" for key, held in value.items()}
+            return {key: _number(held) for key, held in value.items()}
         case _ if is_dataclass(value) and CLASSES.get(type(value).__name__) is type(value):
             told = _told(value)
             while told and not is_said(value, told[-1]):
@@ -67,7 +68,7 @@ def from_data(data: Any) -> Any:
         case ["tuple", *parts]:
             return tuple(map(from_data, parts))
         case dict():
-            return {key: (InPi if IN_PI in held else Fraction)(held.removesuffix(IN_PI)) for key, held in data.items()}
+            return {key: _read_number(held) for key, held in data.items()}
         case [str() as name, *held] if name in CLASSES:
             made = CLASSES[name]
             assert is_dataclass(made)
@@ -80,6 +81,28 @@ def from_data(data: Any) -> Any:
             return made(**{each.name: one if each.name in VERBATIM else from_data(one) for each, one in named})
         case _:
             raise ValueError(f"no verdict and no repair: {data!r:.60}")
+
+
+def _number(value: Any) -> str:
+    """A coordinate of a point as a text; raises TypeError for anything else."""
+    if isinstance(value, int | Fraction):
+        return f"{Fraction(value)}{IN_PI * isinstance(value, InPi)}"
+    if not getattr(value, "is_number", False):
+        raise TypeError(f"{type(value).__name__} is no coordinate of a point")
+    return str(value)
+
+
+def _read_number(text: str) -> Any:
+    """The coordinate of a point that a text says; raises ValueError for anything else."""
+    try:
+        return (InPi if IN_PI in text else Fraction)(text.removesuffix(IN_PI))
+    except ValueError:
+        from chasles.checker.expressions.widened import plain_expression  # loads SymPy
+    with well_formed("coordinate"):
+        value = plain_expression(text, {})
+        if not value.is_number:
+            raise ValueError(f"no number: {text!r:.60}")
+    return value
 
 
 def _told(made: Any) -> list[Field[Any]]:
