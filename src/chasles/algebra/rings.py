@@ -33,6 +33,7 @@ class Ring(Protocol):
     def degrees(self, polynomial: Polynomial) -> Exponents: ...
     def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]: ...
     def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial: ...
+    def square_free(self, polynomial: Polynomial) -> list[tuple[Polynomial, int]]: ...
 
 
 class _FlintRing:
@@ -70,6 +71,13 @@ class _FlintRing:
 
     def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial:
         return polynomial.derivative(variable)
+
+    def square_free(self, polynomial: Polynomial) -> list[tuple[Polynomial, int]]:
+        """The product of the factors of each power, ascending, up to a number."""
+        found: dict[int, Polynomial] = {}
+        for factor, power in polynomial.factor_squarefree()[1]:
+            found[int(power)] = found[int(power)] * factor if power in found else factor
+        return [(found[power], power) for power in sorted(found)]
 
 
 def _fraction(value: Any) -> Fraction:
@@ -141,6 +149,10 @@ class _SympyRing:
 
     def derivative(self, polynomial: Polynomial, variable: int) -> Polynomial:
         return polynomial.diff(variable)
+
+    def square_free(self, polynomial: Polynomial) -> list[tuple[Polynomial, int]]:
+        """The product of the factors of each power, ascending, up to a number."""
+        return [(factor, int(power)) for factor, power in polynomial.sqf_list()[1]]
 
     def _fraction(self, value: Any) -> Fraction:
         return Fraction(int(self._rationals.numer(value)), int(self._rationals.denom(value)))

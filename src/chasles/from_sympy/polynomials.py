@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from fractions import Fraction
-from math import gcd, lcm
+from math import gcd, lcm, prod
+from operator import sub
 from typing import Any
 
 import sympy
 
-from chasles.algebra.rings import Polynomial
+from chasles.algebra.rings import Exponents, Polynomial, make_ring
 from chasles.from_sympy.reader import multiplied
 from chasles.problems.context import Context
 from chasles.problems.variables import Variable
@@ -20,6 +21,7 @@ MOST_VARIABLES = 2
 """In more variables, factoring can take SymPy minutes: only squares and single variables are split off there."""
 Key = frozenset[tuple[tuple[tuple[str, int], ...], Fraction]]
 Factors = list[tuple[Polynomial, int]]
+Terms = dict[Exponents, Fraction]
 
 
 def key_of(context: Context, polynomial: Polynomial) -> Key:
@@ -44,30 +46,50 @@ def factored(context: Context, polynomial: Polynomial, roots: Collection[str] = 
     if not places or len(terms) > MOST_TERMS:
         constant = terms[0][1] if not places else Fraction(1)
         return (1 if constant > 0 else -1), abs(constant), [] if not places else [(polynomial, 1)]
-    gens = sympy.symbols(f"x:{len(places)}")
-    packed = {tuple(e[k] >> squared[k] for k in places): sympy.Rational(c.numerator, c.denominator) for e, c in terms}
-    whole = sympy.Poly.from_dict(packed, *gens)
-    monomials, rest = whole.terms_gcd()
-    content, factors = rest.factor_list() if len(rest.free_symbols) <= MOST_VARIABLES else rest.sqf_list()
-    factors += [(sympy.Poly(gen, *gens), power) for gen, power in zip(gens, monomials, strict=True) if power]
-    size = Fraction(int(content.p), int(content.q))
+    packed = {tuple(e[k] >> squared[k] for k in places): coefficient for e, coefficient in terms}
+    lowest = [min(exponents) for exponents in zip(*packed, strict=True)]
+    rest = {tuple(map(sub, e, lowest)): coefficient for e, coefficient in packed.items()}
+    factors = _irreducible(rest) if sum(map(any, zip(*rest, strict=True))) <= MOST_VARIABLES else _square_free(rest)
+    alone = [tuple(int(k == place) for k in range(len(places))) for place in range(len(places))]
+    factors += [({gen: Fraction(1)}, power) for gen, power in zip(alone, lowest, strict=True) if power]
+    first_term = max(rest)
+    size = rest[first_term] / prod((factor[max(factor)] ** power for factor, power in factors), start=Fraction(1))
     sign = 1 if size > 0 else -1
     found: Factors = []
     for factor, power in factors:
         unpacked = {}
-        for exponents, coefficient in factor.terms():
+        for exponents, coefficient in factor.items():
             spread = [0] * len(ring.names)
             for place, exponent in zip(places, exponents, strict=True):
-                spread[place] = int(exponent) << squared[place]
-            unpacked[tuple(spread)] = Fraction(int(coefficient.p), int(coefficient.q))
+                spread[place] = exponent << squared[place]
+            unpacked[tuple(spread)] = coefficient
         first = min(unpacked, key=lambda e: sorted((ring.names[k], x) for k, x in enumerate(e) if x))
         flip = -1 if unpacked[first] < 0 else 1
         sign *= flip if power % 2 else 1
         values = unpacked.values()
         unit = Fraction(gcd(*(c.numerator for c in values)), lcm(*(c.denominator for c in values)))
-        size *= unit ** int(power)
-        found.append((ring.from_terms({e: flip * c / unit for e, c in unpacked.items()}), int(power)))
+        size *= unit**power
+        found.append((ring.from_terms({e: flip * c / unit for e, c in unpacked.items()}), power))
     return sign, abs(size), found
+
+
+def _irreducible(terms: Terms) -> list[tuple[Terms, int]]:
+    """The factors of a polynomial given by its terms, up to a number."""
+    if not any(map(any, terms)):
+        return []
+    gens = sympy.symbols(f"x:{len(next(iter(terms)))}")
+    rationals = {e: sympy.Rational(c.numerator, c.denominator) for e, c in terms.items()}
+    _, factors = sympy.Poly.from_dict(rationals, *gens).factor_list()
+    return [
+        ({tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in factor.terms()}, int(power))
+        for factor, power in factors
+    ]
+
+
+def _square_free(terms: Terms) -> list[tuple[Terms, int]]:
+    """The product of the factors of each power of a polynomial given by its terms, up to a number."""
+    ring = make_ring(map(str, range(len(next(iter(terms))))))
+    return [(dict(ring.terms(factor)), power) for factor, power in ring.square_free(ring.from_terms(terms))]
 
 
 def as_node(context: Context, polynomial: Polynomial) -> Node:
