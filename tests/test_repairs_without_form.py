@@ -10,12 +10,16 @@ from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, nonzero, rotation
 from chasles.statements.inequalities import inequality
-from chasles.vocabulary import CPM, PI, column, cos, dot, matrix, norm, rate, sin, tr
+from chasles.vocabulary import CPM, PI, column, cos, dot, matrix, norm, number, plain, rate, sin, square, tr
 from chasles.vocabulary.expansions import up_to
-from chasles.vocabulary.functions import arccos, arcsin, atan2, cases, exp, log, sqrt
+from chasles.vocabulary.families import Entry, Family, Index, Kronecker
+from chasles.vocabulary.functions import arccos, arcsin, arctan, atan2, cases, exp, log, sqrt
 from chasles.vocabulary.partial import partial
 from chasles.vocabulary.rotation_vectors import exp_of_vector
 
+A = square("A", "A", "")
+i, j = Index("i"), Index("j")
+e_of = Family("e", tuple(column(*(number(int(row == place)) for row in range(3))) for place in range(3)))  # type: ignore[arg-type]
 BETWEEN = (inequality(y > -PI), inequality(y <= PI), inequality(cos(x) > 0))
 SLIPS: list[tuple[Claim, Claim]] = [
     (claim(sin(arccos(x)), sqrt(1 + x**2)), claim(sin(arccos(x)), sqrt(1 - x**2))),
@@ -67,6 +71,14 @@ SLIPS: list[tuple[Claim, Claim]] = [
         claim(rate(sqrt(1 + x**2)), x * rate(x) / sqrt(1 + x**2)),
     ),
     (
+        claim(rate(sqrt(1 + x**2)), rate(x) / sqrt(1 + x**2)),
+        claim(rate(sqrt(1 + x**2)), x * (rate(x) / sqrt(1 + x**2))),
+    ),
+    (claim(cos(arctan(x)), 1 / sqrt(x**2)), claim(cos(arctan(x)), 1 / sqrt(x**2 + 1))),
+    (claim(-v, exp_of_vector(v) @ v), claim(-v, -(exp_of_vector(v) @ v))),
+    (claim(dot(e_of[i], e_of[i]), Kronecker(i, j)), claim(dot(e_of[i], e_of[j]), Kronecker(i, j))),
+    (claim(Entry(A, i, j, "a"), dot(e_of[j], A @ e_of[i])), claim(Entry(A, j, i, "a"), dot(e_of[j], A @ e_of[i]))),
+    (
         claim(partial(sqrt(1 + x), x), x / sqrt(1 + x**2)),
         claim(partial(sqrt(1 + x**2), x), x / sqrt(1 + x**2)),
     ),
@@ -79,6 +91,7 @@ def test_the_slip_is_among_the_first_that_are_mended(wrong: Claim, right: Claim)
     assert not Session().decide(wrong).verdict.true
     found = repair(wrong)
     assert any((each.left, each.right) == right.printed for each in found), found
+    assert len({(plain(each.left), plain(each.right)) for each in (wrong, *found)}) == 1 + len(found)
     for each in found:
         check(wrong.saying(each.left, each.right), "printed", each.verdict.certificate)
 

@@ -186,24 +186,32 @@ def _marked(fitting: WellFormedRepair, change: Change) -> Change:
 
 
 def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
-    """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
+    """The candidates that the prover confirms: those of the least number of changes, the smallest changes first.
+
+    One that is spelled as another, or as the printed equation, is none: a_ij is that of a matrix or of its transpose.
+    """
     statement = near.statement
     hypotheses = chain(statement.assuming, *(given.assuming for given in statement.given))
     orthogonal = {subject for h in hypotheses if h.kind in ORTHOGONAL for subject in h.subjects}
     others = (*near.given_sides, *(side for claim in near.context for side in claim.printed))
     rank = Ranking(statement.printed, others, orthogonal)
     best: Change | None = None
-    seen: set[tuple[Node, Node]] = set()
+    seen = {_spelled(*statement.printed)}
     for change in sorted(changes, key=rank):
         if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
             return
-        if not change.words or (change.left, change.right) in seen or len(seen) == MOST or rank.is_in_vain(change):
+        spelled = _spelled(change.left, change.right)
+        if not change.words or spelled in seen or len(seen) > MOST or rank.is_in_vain(change):
             continue
-        seen.add((change.left, change.right))
+        seen.add(spelled)
         if (verdict := _verdict(near, statement.saying(change.left, change.right))) is not None:
             best = change if best is None else best
             left, right, words = change.left, change.right, change.words
             yield Repair(left, right, words, len(words), verdict, change.modulo, marks=change.marks)
+
+
+def _spelled(left: Node, right: Node) -> tuple[str, str]:
+    return plain(left), plain(right)
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:

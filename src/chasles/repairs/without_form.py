@@ -78,8 +78,7 @@ def edits_of(side: Node, letters: list[w.Symbol], indices: Iterable[Index] = ())
     for path, part in parts.items():
         parent = parts[path[:-1]] if path else None
         in_product = isinstance(parent, w.Scale | w.Quotient)
-        alone = () if part.is_scalar or not isinstance(parent, w.Block | None) else _of_matrices(part)
-        for new, effort in (*_of_functions(part), *_of_indices(part, indices), *alone):
+        for new, effort in (*_of_functions(part), *_of_indices(part, indices)):
             if isinstance(parent, w.Negative) and isinstance(new, w.Negative):
                 continue  # it is turned where the sign stands
             whole = placed(side, path, new)
@@ -109,13 +108,6 @@ def _of_functions(part: Node) -> Iterator[tuple[Node, int]]:
         yield from ((w.Scale(w.Number(Fraction(factor)), part), FACTOR) for factor in (2, Fraction(1, 2)))
         if isinstance(part, w.Sum | w.Power):
             yield w.printed(lambda: FunctionOf("sqrt", (part,))), FORM
-
-
-def _of_matrices(part: Node) -> Iterator[tuple[Node, int]]:
-    """A whole side, or a block of one, with another sign or factor."""
-    yield (part.term if isinstance(part, w.Negative) else w.Negative(part)), SIGN
-    yield w.Scale(w.Number(Fraction(2)), part), FACTOR
-    yield w.Scale(w.Number(Fraction(1, 2)), part), FACTOR + 1
 
 
 def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, int]]:
