@@ -53,7 +53,7 @@ class Ratio:
         spend(len(self.numerator) + len(other.numerator))
         if self.denominator == other.denominator:
             return Ratio(self.field, self.numerator + other.numerator, self.denominator)
-        common = _largest(self.denominator, other.denominator)
+        common = tuple(map(max, zip_longest(self.denominator, other.denominator, fillvalue=0)))
         return Ratio(self.field, self.over(common) + other.over(common), common)
 
     def __neg__(self) -> Ratio:
@@ -106,10 +106,6 @@ def times(one: Polynomial, other: Polynomial) -> Polynomial:
     afford(len(one) * len(other))
     spend(len(one) * len(other))
     return one * other
-
-
-def _largest(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
-    return tuple(map(max, zip_longest(one, other, fillvalue=0)))
 
 
 def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:

@@ -58,10 +58,6 @@ def _inside(factor: Any, far: frozenset[Any]) -> Any:
     return in_range(factor, far)
 
 
-def _is_far(angle: Any, far: frozenset[Any]) -> bool:
-    return not far.isdisjoint((_angle(angle), _angle(square_of(angle))))
-
-
 def _angle(multiple: Any) -> Any:
     """It, whatever number it is multiplied by."""
     rest = multiple.expand().primitive()[1]
@@ -157,7 +153,7 @@ class _Exponentials:
         if not self.are_several:
             return
         self._apart = exponents[1] - exponents[0]
-        self._are_far = _is_far(self._apart, far)
+        self._are_far = not far.isdisjoint(map(_angle, (self._apart, square_of(self._apart))))
         if 0 not in exponents:
             self._apart = Apart(exponents[1], exponents[0])
         if len(exponents) == 2:

@@ -86,12 +86,10 @@ class KnownFacts:
         """What they are."""
         for name, call in self._angles:
             value = self.spell(self.reading.turned(call))
-            steps = f"first [turned | turned_by {in_units(self.reading, call.argument, self._angle)}]"
+            turns = in_units(self.reading, call.argument, lambda of: self.spell.angle(of, Fraction(1)))
+            steps = f"first [turned | turned_by {turns}]"
             yield f"assert (value'{name} : {name} = {value}) by (rewrite of'{name}; words; {steps})."
             yield f"clear of'{name}. subst {name}."
-
-    def _angle(self, symbol: w.Symbol) -> str:
-        return self.spell.angle(symbol, Fraction(1))
 
     # Integrals.
 

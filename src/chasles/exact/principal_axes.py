@@ -119,10 +119,6 @@ def _over(field: NumberField, coefficients: list[Any]) -> Poly:
     return Poly.from_list([field(c) for c in coefficients], X, domain=field.domain)
 
 
-def _expression(entry: Any) -> Any:
-    return entry.value.evalf(50) if isinstance(entry, Root) else entry
-
-
 def _negative(entry: Any) -> Any:
     if not isinstance(entry, Root):
         return normal(-entry)
@@ -146,4 +142,4 @@ def product(one: Any, other: Any) -> Any:
 def columns_of(axes: Any) -> tuple[Any, ...]:
     """The axes as column vectors; a Root becomes SymPy's."""
     rows = axes if isinstance(axes, list) else axes.tolist()
-    return tuple(sp.ImmutableMatrix([_expression(entry) for entry in row]) for row in rows)
+    return tuple(sp.ImmutableMatrix([e.value.evalf(50) if isinstance(e, Root) else e for e in row]) for row in rows)

@@ -38,14 +38,13 @@ class FactLabels:
             self.names += [f"square {k} {i + 1},1" for i in range(len(found["squares"]))]
         if reading.calls:
             self.names += [f"{of} {name}" for name in self.names if name.startswith("given") for of in ("exp", "log")]
-        self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
-        self.names += [f"root {name}" for name, place in reading.places.items() if place in self._roots()]
+        self.names += [f"zero {name}" for name, place in reading.places.items()
+                       if getattr(reading.atoms.get(place), "is_zero", False)]  # fmt: skip
+        roots = {place for place, _ in reading.functions.roots.values()}
+        self.names += [f"root {name}" for name, place in reading.places.items() if place in roots]
         self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]
         self.known: dict[Key, tuple[str, Fraction]] = {}
         self.order = -1
-
-    def _roots(self) -> set[int]:
-        return {place for place, _ in self.reading.functions.roots.values()}
 
     def __call__(self, text: str) -> tuple[str, Fraction]:
         """The label, and of which multiple of it this is the text."""
@@ -82,10 +81,6 @@ class FactLabels:
                 continue
             self.known.setdefault(_key(base), (label, scale))
         return True
-
-
-def _is_zero(atom: Any) -> bool:
-    return atom is not None and bool(atom.is_zero)
 
 
 def _key(polynomial: Polynomial) -> Key:

@@ -172,11 +172,7 @@ class Reader:
 
 def multiplied(factors: list[Node]) -> Node:
     """The product; one if there are no factors."""
-    return reduce(_scaled, factors) if factors else Number(Fraction(1))
-
-
-def _scaled(one: Node, other: Node) -> Node:
-    return Scale(one, other)
+    return reduce(Scale, factors) if factors else Number(Fraction(1))
 
 
 def _limited(exponent: int, whole: Any) -> int:

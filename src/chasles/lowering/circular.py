@@ -77,9 +77,9 @@ def multiple_of_angle(times: int) -> tuple[Circular, Circular]:
 
 
 def _quotient(above: Polynomial, below: Polynomial) -> Circular:
-    if not _in_cosine(below):
+    if not _lowered(below, 0):
         raise ZeroDivisionError("a function of an angle is divided by zero")
-    if not _in_cosine(above):
+    if not _lowered(above, 0):
         return Circular((0, 0), (), (((0, 0), Fraction(1)),))
     over, top = _split(above)
     under, bottom = _split(below)
@@ -96,7 +96,7 @@ def _split(polynomial: Polynomial) -> tuple[tuple[int, int], Polynomial]:
     sines = cosines = 0
     rest = polynomial
     while True:
-        by_sine, by_cosine = _in_sine(rest), _in_cosine(rest)
+        by_sine, by_cosine = _lowered(rest, 1), _lowered(rest, 0)
         i = min(exponents[0] for exponents in by_sine)
         j = min(exponents[1] for exponents in by_cosine)
         if i:
@@ -108,18 +108,8 @@ def _split(polynomial: Polynomial) -> tuple[tuple[int, int], Polynomial]:
         sines, cosines = sines + i, cosines + (0 if i else j)
 
 
-def _in_sine(polynomial: Polynomial) -> Polynomial:
-    """The same with no power of the cosine above the first."""
-    return _lowered(polynomial, 1)
-
-
-def _in_cosine(polynomial: Polynomial) -> Polynomial:
-    """The same with no power of the sine above the first."""
-    return _lowered(polynomial, 0)
-
-
 def _lowered(polynomial: Polynomial, which: int) -> Polynomial:
-    """Squares of the sine (0) or cosine (1) replaced by one minus those of the other."""
+    """No power of the sine (0) or cosine (1) above the first: squares are one minus those of the other."""
     terms = dict(polynomial)
     while (high := max(terms, key=lambda exponents: exponents[which], default=(0, 0)))[which] > 1:
         q = terms.pop(high)

@@ -131,7 +131,13 @@ def _outputs(name: str, left: Node, right: Node, kernel: Kernel) -> list[Output]
         triples = zip(kernel.results, said, sides[1], strict=True)
         return [_output(word, of, value, kernel) for word, of, value in triples]
     left = bare(left)
-    word = kernel.results[0] if kernel.results else argument_name(left) if _is_named(left) else "result"
+    word = (
+        kernel.results[0]
+        if kernel.results
+        else argument_name(left)
+        if isinstance(undotted(left)[0], Symbol)
+        else "result"
+    )
     return [_output(word, left, right, kernel)]
 
 
@@ -160,7 +166,3 @@ def _lines(node: Node) -> list[Node]:
     if not isinstance(node, Block):
         return [node]
     return [row[0] if len(row) == 1 else Block((row,)) for row in node.rows]
-
-
-def _is_named(left: Node) -> bool:
-    return isinstance(undotted(left)[0], Symbol)

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from chasles.lowering.program import Result
 from chasles.targets.contract import cited, contract_in_arrays
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page, Target
@@ -41,7 +40,8 @@ class _Declared:
 def _declared(kernel: TargetKernel) -> _Declared:
     program = kernel.program
     says, *docstring = (_quoted(line.removeprefix("  ")) for line in contract_in_arrays(kernel))
-    gives = [_type_of(result) for result in program.results]
+    # Without core axes it is a number or, in a batch, an array.
+    gives = ["Array" if result.shape else "Any" for result in program.results]
     one_each = f"tuple[{', '.join(['Array | None'] * len(gives))}]"
     return _Declared(
         name=kernel.name,
@@ -59,11 +59,6 @@ def _declared(kernel: TargetKernel) -> _Declared:
 
 def _quoted(text: str) -> str:
     return text.replace('"', "'")
-
-
-def _type_of(result: Result) -> str:
-    """What is known of the type of a result: without core axes it is a number or, in a batch, an array."""
-    return "Array" if result.shape else "Any"
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
