@@ -19,6 +19,7 @@ from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import Shorthand
+from chasles.vocabulary.tree import with_parts
 
 CALLED = {
     "abs": "fabs", "arcsinh": "asinh", "arccosh": "acosh", "arctanh": "atanh",
@@ -74,9 +75,7 @@ class NamedFunctions:
                 return self._named(said) if isinstance(said, FunctionOf) else self(said)
             case w.Call(function, argument):
                 return self._of_angle(node, self(argument))
-        parts = w.children(node)
-        changed = tuple(map(self, parts))
-        return node if changed == parts else w.rebuilt(node, changed)
+        return with_parts(node, self)
 
     def _named(self, node: FunctionOf) -> Node:
         arguments = tuple(map(self, node.arguments))

@@ -13,6 +13,7 @@ from fractions import Fraction
 from chasles import vocabulary as w
 from chasles.lowering.refusal import LoweringError
 from chasles.problems.variables import Untreatable, angle_multiples
+from chasles.vocabulary.tree import with_inner
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,12 +69,7 @@ def without_angles(node: w.Node, angles: Mapping[w.Symbol, Angle], rules: Mappin
         except Untreatable as error:
             raise LoweringError(str(error)) from None
         return _circular(node, multiples, angles) if set(multiples) & set(angles) else node
-    if isinstance(node, w.Symbol) and node.stands_for is not None:
-        inner = without_angles(node.stands_for, angles, rules)
-        return node if inner == node.stands_for else inner
-    parts = w.children(node)
-    changed = tuple(without_angles(part, angles, rules) for part in parts)
-    return node if changed == parts else w.rebuilt(node, changed)
+    return with_inner(node, lambda part: without_angles(part, angles, rules))
 
 
 def _circular(node: w.Call, multiples: Mapping[w.Symbol, Fraction], angles: Mapping[w.Symbol, Angle]) -> w.Node:

@@ -13,7 +13,8 @@ from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import Change, instead, new_coefficients
 from chasles.rewriting.places import everywhere
 from chasles.rewriting.term_basis import TermBasis, fit
-from chasles.vocabulary import Block, Identity, Negative, Node, Zero, children, plain, printed, rebuilt, replace
+from chasles.vocabulary import Block, Identity, Negative, Node, Zero, plain, printed, replace
+from chasles.vocabulary.tree import with_parts
 
 
 def block_edits(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
@@ -43,9 +44,7 @@ def _opened(node: Node, rules: Mapping[Node, Node]) -> Node:
     if node in rules:
         body = _opened(rules[node], rules)
         return body if isinstance(body, Block) else node
-    parts = children(node)
-    changed = tuple(_opened(part, rules) for part in parts)
-    return node if changed == parts else rebuilt(node, changed)
+    return with_parts(node, lambda part: _opened(part, rules))
 
 
 def _completed(node: Node, fillings: Sequence[Node]) -> Iterator[tuple[Block, Block]]:

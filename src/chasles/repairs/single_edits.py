@@ -11,7 +11,8 @@ from itertools import combinations
 from chasles.repairs.local_edits import FORM, SingleEdit, edits_at
 from chasles.repairs.one_term import instead
 from chasles.rewriting.places import Path, everywhere, linear_places, put
-from chasles.vocabulary import Node, Symbol, children, plain, printed, rebuilt
+from chasles.vocabulary import Node, Symbol, plain, printed
+from chasles.vocabulary.tree import with_parts
 
 
 def placed(node: Node, path: Path, new: Node) -> Node:
@@ -50,9 +51,7 @@ def in_letters(
 
 def _renamed(node: Node, letters: Mapping[Node, Node]) -> Node:
     """The expression with other letters in all places; what a letter stands for is left alone."""
-    parts = children(node)
-    changed = tuple(_renamed(part, letters) for part in parts)
-    return letters.get(node, node) if changed == parts else rebuilt(node, changed)
+    return letters[node] if node in letters else with_parts(node, lambda part: _renamed(part, letters))
 
 
 def exchanged_letters(node: Node) -> Iterator[SingleEdit]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from chasles.rewriting.coefficients import added
 from chasles.vocabulary import At, Block, Group, Integral, Node, Rate, Sum, Symbol, Zero, differentiation, rebuilt
+from chasles.vocabulary.tree import with_parts
 
 
 def carried_out(node: Node) -> Node:
@@ -11,9 +12,7 @@ def carried_out(node: Node) -> Node:
     if isinstance(node, Rate):
         inner = carried_out(node.of)
         return Rate(inner) if isinstance(inner, Symbol | Rate) else rate_of(inner)
-    parts = node.below
-    changed = tuple(map(carried_out, parts))
-    return node if changed == parts else rebuilt(node, changed)
+    return with_parts(node, carried_out)
 
 
 def rate_of(node: Node) -> Node:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 from chasles.rewriting.coefficients import added, negated
-from chasles.vocabulary import Contract, Negative, Node, Number, Quotient, Scale, Sum, Zero, rebuilt
+from chasles.vocabulary import Contract, Negative, Node, Number, Quotient, Scale, Sum, Zero
 from chasles.vocabulary.letters import zero_of
+from chasles.vocabulary.tree import with_parts
 
 
 def tidied(node: Node) -> Node:
     """The same expression without factors of one and terms of zero, each sign before its product."""
-    parts = node.below
-    changed = tuple(map(tidied, parts))
-    node = node if changed == parts else rebuilt(node, changed)
+    node = with_parts(node, tidied)
     match node:
         case Scale(factor, term) if _zero(factor) or _zero(term):
             return zero_of(node.shape)

@@ -14,6 +14,7 @@ from chasles.vocabulary.differentiation import NoRule, rate_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.layout import At, Group, Rate
 from chasles.vocabulary.spatial import Determinant, Inverse
+from chasles.vocabulary.tree import with_parts
 
 
 class SizedRates:
@@ -38,9 +39,7 @@ class SizedRates:
             case w.Symbol(stands_for=Node() as of):
                 return self._carried_out(of)
             case _:
-                parts = w.children(node)
-                changed = tuple(map(self._carried_out, parts))
-                return node if changed == parts else w.rebuilt(node, changed)
+                return with_parts(node, self._carried_out)
 
     def _rate(self, node: Node) -> Node:
         match node:
@@ -75,9 +74,7 @@ class SizedRates:
             name = w.plain(node)
             made = w.Symbol(name, name, measured(node), f"the rate of {base}", home=home, has_units=in_units)
             return self.letters.setdefault(node, made)
-        parts = w.children(node)
-        changed = tuple(map(self._lettered, parts))
-        return node if changed == parts else w.rebuilt(node, changed)
+        return with_parts(node, self._lettered)
 
     def bound(self, hypotheses: tuple[Hypothesis, ...]) -> Iterator[Hypothesis]:
         """What is assumed, and what it says of the rates that came up: the rate of each equation holds too."""

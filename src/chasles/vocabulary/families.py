@@ -17,7 +17,7 @@ from chasles.vocabulary.layout import Block
 from chasles.vocabulary.letters import Zero
 from chasles.vocabulary.measure import Measure, uniform
 from chasles.vocabulary.nodes import Contract, Node, Number, Transpose
-from chasles.vocabulary.tree import children, rebuilt, walk
+from chasles.vocabulary.tree import walk, with_parts
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +102,7 @@ def _instance(node: Node, value: Mapping[Index, int]) -> Node:
         case Kronecker(i, j):
             return Number(Fraction(int(value[i] == value[j])))
         case _:
-            parts = children(node)
-            changed = tuple(_instance(part, value) for part in parts)
-            return node if changed == parts else rebuilt(node, changed)
+            return with_parts(node, lambda part: _instance(part, value))
 
 
 def _unit_column(k: int) -> Node:

@@ -22,7 +22,7 @@ from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand, opened
 from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Skew, Trace, Vect
-from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk
+from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk, with_parts
 
 PRODUCTS = Scale, Contract, Dot, Cross
 LINEAR = Sum, Negative, Transpose, Block, Group, At, Skew, Trace, Vect
@@ -122,9 +122,7 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         return node
     if isinstance(node, Shorthand) and node.has_no_polynomial_form:
         return with_derivatives(node.definition, rules)
-    parts = children(node)
-    changed = tuple(with_derivatives(part, rules) for part in parts)
-    node = node if changed == parts else rebuilt(node, changed)
+    node = with_parts(node, lambda part: with_derivatives(part, rules))
     if isinstance(node, Symbol) and node.stands_for is not None:
         inner = with_derivatives(node.stands_for, rules)
         return node if inner == node.stands_for else inner
@@ -193,9 +191,7 @@ def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
             measure = measured(node)
             rates[node] = Symbol(f"{node}", f"{node}", measure, constant=True, home=base.home, has_units=base.has_units)
         return rates[node]
-    parts = children(node)
-    changed = tuple(_at_rest(part, rates) for part in parts)
-    return node if changed == parts else rebuilt(node, changed)
+    return with_parts(node, lambda part: _at_rest(part, rates))
 
 
 @lru_cache(maxsize=16384)  # edits of an expression leave most of its parts, and so their derivatives, as they are

@@ -6,10 +6,9 @@ from functools import lru_cache
 from typing import ClassVar
 
 from chasles.vocabulary.fitting import measured
-from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.nodes import Node
-from chasles.vocabulary.tree import children, rebuilt
+from chasles.vocabulary.tree import with_inner
 
 
 class Shorthand(Node):
@@ -35,9 +34,4 @@ def opened(node: Node) -> Node:
     """The expression with every defined word in it said in simpler words."""
     if isinstance(node, Shorthand):
         return opened(node.definition)
-    if isinstance(node, Symbol):
-        inner = None if node.stands_for is None else opened(node.stands_for)
-        return node if inner is None or inner == node.stands_for else inner
-    parts = children(node)
-    changed = tuple(map(opened, parts))
-    return node if changed == parts else rebuilt(node, changed)
+    return with_inner(node, opened)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace as with_fields
 from itertools import islice
 from typing import Any
@@ -31,6 +31,20 @@ def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
     return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
 
 
+def with_parts(node: Node, change: Callable[[Node], Node]) -> Node:
+    """The node with each node directly below it changed; itself where none of them is."""
+    changed = tuple(map(change, node.below))
+    return node if changed == node.below else rebuilt(node, changed)
+
+
+def with_inner(node: Node, change: Callable[[Node], Node]) -> Node:
+    """The same, and an abbreviation as what it stands for, changed, where that is another expression."""
+    if not isinstance(node, Symbol) or node.stands_for is None:
+        return with_parts(node, change)
+    inner = change(node.stands_for)
+    return node if inner == node.stands_for else inner
+
+
 def replace(node: Node, values: Mapping[Node, Node]) -> Node:
     """The expression with every occurrence of a key replaced by its value; nothing is simplified.
 
@@ -38,17 +52,10 @@ def replace(node: Node, values: Mapping[Node, Node]) -> Node:
     """
     if node in values:
         return values[node]
-    if isinstance(node, Symbol):
-        if node.stands_for is None:
-            return node
-        inner = replace(node.stands_for, values)
-        return node if inner == node.stands_for else inner
     running = getattr(node, "running", ())
     if running:
         values = {key: value for key, value in values.items() if key not in running}
-    parts = children(node)
-    changed = tuple(replace(part, values) for part in parts)
-    return node if changed == parts else rebuilt(node, changed)
+    return with_inner(node, lambda part: replace(part, values))
 
 
 def undotted(node: Node) -> tuple[Node, int]:
