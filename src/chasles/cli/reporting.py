@@ -57,7 +57,7 @@ class Reported:
         yield from self.unsolved
 
 
-def reported(book: Chapter, as_site: bool = False, address: str = "") -> Reported:
+def reported(book: Chapter, as_site: bool, address: str) -> Reported:
     """The report on the whole chapter, or a site of it that will lie at the address.
 
     Raises Failure for contradictory declarations, and for damaged files.

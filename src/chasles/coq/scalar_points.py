@@ -56,7 +56,7 @@ TURNS = (
 
 
 def as_refutation(
-    found: Counterexample, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), claimed: Any = None, name: str = ""
+    found: Counterexample, lhs: Any, rhs: Any, given: Any, nonzero: Any, claimed: Any = None, name: str = ""
 ) -> Claimed:
     """That what was asked does not hold for all, for Coq: a statement and its proof, or `why_not`."""
     claim = Claimed(name, "asked, which fails", name, f"{lhs} = {rhs}" if claimed is None else str(claimed))

@@ -33,10 +33,10 @@ def sign_by_enclosure(number: Any, most_bits: int) -> int:
     return 0
 
 
-def is_bounded(number: Any, bits: int = 256) -> bool:
-    """Whether so many bits show that the number has a real value."""
+def is_bounded(number: Any) -> bool:
+    """Whether 256 bits show that the number has a real value."""
     try:
-        return bool(enclosed(number, bits).delta < 1)
+        return bool(enclosed(number, 256).delta < 1)
     except NoEnclosure:
         return False
 

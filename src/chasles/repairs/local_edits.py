@@ -37,7 +37,7 @@ class SingleEdit(NamedTuple):
     effort: int = FORM
 
 
-def edits_at(part: Node, parent: Node | None = None, *, turned: bool = True) -> Iterator[SingleEdit]:
+def edits_at(part: Node, parent: Node | None, *, turned: bool) -> Iterator[SingleEdit]:
     """The edits at the root of an expression that stands in another; signs only if `turned`."""
     made = w.printed(lambda: [*_of_form(part), *_of_factors(part), *_of_rates(part, parent)])  # type: ignore[type-var]
     yield from (SingleEdit(new, "") for new in made)

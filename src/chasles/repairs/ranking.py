@@ -70,7 +70,7 @@ def _changed_marks(one: str, other: str) -> int:
     return max(len(old), len(new)) - before
 
 
-def idle_parts(node: Node, orthogonal: Container[Node] = ()) -> int:
+def idle_parts(node: Node, orthogonal: Container[Node]) -> int:
     """How many parts of an expression have no effect: a x a, t - 2 t, c (1/c), and R R^T of what is `orthogonal`."""
     return sum(1 for part in w.walk(node) if not part.fault and _is_idle(part, orthogonal))
 

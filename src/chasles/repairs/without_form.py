@@ -24,7 +24,7 @@ OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
 
 
 def changes_without_form(
-    test: RealTest, left: Node, right: Node, letters: list[w.Symbol], given: Iterable[Node] = ()
+    test: RealTest, left: Node, right: Node, letters: list[w.Symbol], given: Iterable[Node]
 ) -> Iterator[Change]:
     """The sides with one edit on either that agree at points where the hypotheses hold; none where none is found."""
     scalars = dict.fromkeys(part for side in (left, right, *given) for part in w.walk(side) if part.is_scalar)

@@ -32,8 +32,8 @@ def statement_page(
     screen: Screen,
     entry: Entry,
     decision: Decision,
-    latex: bool = False,
-    emitted: Mapping[str, Mapping[str, Any]] | None = None,
+    latex: bool,
+    emitted: Mapping[str, Mapping[str, Any]] | None,
 ) -> Iterator[RenderableType]:
     """The page of one statement, with what was recorded of its kernels where those that were `emitted` are given."""
     number = number_in_words(entry.number, entry.statement.part)
@@ -46,7 +46,7 @@ def statement_page(
     yield indented(chain.from_iterable(lines))
 
 
-def repair_page(screen: Screen, entry: Entry, decision: Decision, latex: bool = False) -> Iterator[RenderableType]:
+def repair_page(screen: Screen, entry: Entry, decision: Decision, latex: bool) -> Iterator[RenderableType]:
     """The printed equation, why it is wrong, and the repairs."""
     number = number_in_words(entry.number, entry.statement.part)
     yield Text.assemble((number, "bold"), "  ", labelled(decision.verdict, screen.signs))

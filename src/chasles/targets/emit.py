@@ -38,26 +38,25 @@ def render(
     kernels: Iterable[TargetKernel],
     targets: Iterable[Target],
     beside: Mapping[str, str] | None = None,
-    head: Iterable[str] = HEAD,
     origin: Origin = BOOK,
 ) -> dict[str, str]:
     """The text of every file, by its path below generated/ with forward slashes; the manifest is the last.
 
-    Files of C and Python begin with the lines of `head`. Pages that are to stand `beside` the kernels are listed in the
+    Pages that are to stand `beside` the kernels are listed in the
     manifest with them.
 
     The same kernels in the same order give the same bytes. Raises EmissionError where two kernels share a name, two
     files a path, or a target cannot spell a kernel.
     """
     kernels = tuple(kernels)
-    pages = {**spelled_out(kernels, targets, head, origin), **(beside or {})}
+    pages = {**spelled_out(kernels, targets, HEAD, origin), **(beside or {})}
     offered = offering(kernels, pages) if origin.package else ()
     top = [*offered, *_index(kernels, [*pages, *(page.path for page in offered)])]
-    return pages | {page.path: filled(_INDEX, page, origin, tuple(head)) for page in top}
+    return pages | {page.path: filled(_INDEX, page, origin, HEAD) for page in top}
 
 
 def taken_away(
-    kernels: Iterable[TargetKernel], names: Iterable[str], head: Iterable[str] = HEAD, origin: Origin = BOOK
+    kernels: Iterable[TargetKernel], names: Iterable[str], head: Iterable[str], origin: Origin
 ) -> dict[str, str]:
     """The text of every file that stands alone in the languages of these names, by its path; there is no manifest.
 

@@ -28,7 +28,7 @@ class Loop:
     block: str
 
 
-def loop(kernel: TargetKernel, precision: Precision, *, gaps: bool = False) -> Loop:
+def loop(kernel: TargetKernel, precision: Precision, *, gaps: bool) -> Loop:
     """The constant for the kernel, whose blocks take items with `gaps` whatever their registers.
 
     Raises EmissionError for an operand of more than two core axes.
