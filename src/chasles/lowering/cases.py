@@ -104,7 +104,7 @@ def choices_of(
         finite = _size(inverse.branches[0])
         choices.append(oriented(turn, [entry for key in sign for entry in _entries(found[key])], finite))
         rules = {symbols[key]: Scale(turn, found[key]) for key in sign}
-    return choices, rules, _angles(inverse, symbols)
+    return choices, rules, _angles(symbols)
 
 
 def _choice(inverse: Inverse, symbols: tuple[Symbol, ...], *, largest: bool) -> Choice:
@@ -115,7 +115,7 @@ def _choice(inverse: Inverse, symbols: tuple[Symbol, ...], *, largest: bool) -> 
     return Choice(symbols, tuple(Case(where, those) for where, those in zip(tests, values, strict=True)))
 
 
-def _angles(inverse: Inverse, symbols: dict[Node, Symbol]) -> dict[Symbol, Angle]:
+def _angles(symbols: dict[Node, Symbol]) -> dict[Symbol, Angle]:
     angles = {}
     for key in symbols:
         if isinstance(key, Call) and key.function == "cos":

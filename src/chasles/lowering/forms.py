@@ -1,4 +1,4 @@
-"""Which steps are forms in others, and divided by or under a root? Of the second degree or of a higher one."""
+"""What is divided by, or stands under a root, in a program: homogeneous forms in other steps, as sums of squares are."""
 
 from __future__ import annotations
 

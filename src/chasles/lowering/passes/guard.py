@@ -1,4 +1,4 @@
-"""Where a divisor is zero the quotient is 0/0: not a number, whatever was to be divided.
+"""Divisions guarded: where a divisor is zero the quotient is 0/0, not a number, whatever was to be divided.
 
 Without that x/0 is infinite, and an infinity can come back as a finite number, as in 1/(1/0). The numerator is replaced
 and not the divisor, so that the machine itself says `invalid`, and only there.
