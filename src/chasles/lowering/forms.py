@@ -1,4 +1,4 @@
-"""What is divided by, or stands under a root, in a program: homogeneous forms in other steps, as sums of squares are."""
+"""Forms in other steps, such as sums of squares, by which a program divides or of which it takes the root."""
 
 from __future__ import annotations
 
