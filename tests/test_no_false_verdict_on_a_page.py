@@ -450,3 +450,9 @@ def test_nothing_fails_at_values_that_the_page_takes_for_an_example_behind_it() 
     letters = {"symbols": dict.fromkeys("xy", "scalar")}
     page = "$$x + y = 0$$\n\nFor example, $$x = 0, \\quad y = 1$$"
     assert chasles.read(page, letters, "md").equations[0].verdict == "open"
+
+
+def test_values_behind_an_equation_are_defined_there() -> None:
+    letters = {"symbols": dict.fromkeys("xmkEn", "scalar")}
+    page = r"$$m \ddot x = - k x, \quad m = 2, \quad k = 8$$ $$E = m \dot x^2 / 2$$ $$E = \dot x^2$$"
+    assert [each.verdict for each in chasles.read(page, letters, "md").equations[1:]] == ["defined"] * 3 + ["holds"]

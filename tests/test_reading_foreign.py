@@ -756,3 +756,11 @@ def test_signs_of_other_pages_are_read_with_what_is_proposed(text: str) -> None:
     before, text = (r"\usepackage{siunitx}", text[21:]) if text.startswith(r"\use") else ("", text)
     printed = displayed(rf"{before} \[ {text} \]", "tex")
     assert [each.why for each in read_equations(printed, load_notation(proposed(printed)))] == [""] * len(printed)
+
+
+def test_bold_letters_that_have_a_trace_are_matrices_with_all_of_their_names() -> None:
+    page = (
+        r"$$\boldsymbol\sigma=\lambda \operatorname{tr}(\boldsymbol\varepsilon)\mathbf{I} + \boldsymbol\varepsilon^p$$"
+    )
+    lines = proposed(displayed(page, "md")).splitlines()
+    assert sum(each.startswith("'\\boldsymbol") and 'is = "matrix"' in each for each in lines) == 3

@@ -196,11 +196,14 @@ class Deduction:
         finding = self._proof(claim)
         key = quantity(claim.left)
         if finding is None:
+            before, foretold = self.premises.copy(), len(self._foretold)
             finding = self._proof_ahead(claim, ahead)
         if finding is None:
+            new = (each.statement for each in list(self._foretold.values())[foretold:])
+            is_example = any(isinstance(each, Statement) and _is_value(each) for each in new)
             finding = refuted(
                 claim,
-                self.premises,
+                before if is_example else self.premises,
                 self.session,
                 self.consequences,
                 told=role == "claim",
@@ -241,21 +244,16 @@ class Deduction:
         return fails if names <= self.premises.relied else finding
 
     def _proof_ahead(self, claim: Claim, ahead: tuple[Claim, ...]) -> PageFinding | None:
-        """The finding on a claim that follows from what the page defines ahead.
-
-        What it defines anew counts only so, and so do values in numbers, which may be those of an example.
-        """
-        for anew in (False, True):
-            before = self.premises.copy(), dict(self._foretold)
-            finding = self._proof(claim) if self._foretell(claim, ahead, anew) else None
-            if finding is not None:
-                return finding
-            new = (each.statement for name, each in self._foretold.items() if name not in before[1])
-            if anew or not all(isinstance(each, Statement) and symbols_in((each.right,)) for each in new):
+        """The finding on a claim that follows from what the page defines ahead; what it defines anew counts only so."""
+        finding = self._proof(claim) if self._foretell(claim, ahead) else None
+        before = self.premises.copy(), dict(self._foretold)
+        if finding is None and self._foretell(claim, ahead, anew=True):
+            finding = self._proof(claim)
+            if finding is None:
                 self.premises, self._foretold = before
-        return None
+        return finding
 
-    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...], anew: bool) -> bool:
+    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...], anew: bool = False) -> bool:
         """Take in advance the definitions of symbols that are new in a claim, or defined `anew`, if there are any."""
         before, found = len(self._foretold), symbols_in(claim.printed)
         new = found - {symbol for symbol, _ in self.premises.spoken}
@@ -284,8 +282,8 @@ class Deduction:
             said = as_hypothesis(named(claim), *claim.printed, self.session, self.consequences)
             key = said_to_be(claim) if is_open or is_rule else None
             self.premises.unproved.add(named(claim))
-            if is_open and key is not None and not (key[0][1] or symbols_in(claim.printed) - {key[0][0]}):
-                return PageFinding("condition", verdict, claim, open=True)  # the value of a letter in one case
+            if is_open and _is_value(claim):
+                return PageFinding("condition", verdict, claim, open=True)  # that in one case
             if key is not None:
                 self.premises.opened[key[0]] = definition_of(claim, key[1])
                 self.premises.said.append(self.premises.opened[key[0]])
@@ -387,6 +385,12 @@ class Deduction:
             self.premises.proved[key] = definition_of(least, False)
             self.premises.said.append(self.premises.proved[key])
         return PageFinding("claim", verdict, least)
+
+
+def _is_value(said: Statement) -> bool:
+    """Whether it says what number a letter is, which may be that of a case or an example."""
+    letters = [side for side in said.printed if (key := quantity(side)) is not None and not key[1]]
+    return len(letters) == 1 and letters[0].is_scalar and len(symbols_in(said.printed)) == 1
 
 
 def _resting_on(opened: tuple[str, ...], verdict: Verdict) -> Verdict:

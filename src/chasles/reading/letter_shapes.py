@@ -197,6 +197,7 @@ class _PieceShapes:
         return shape
 
 
+@lru_cache(maxsize=4096)
 def _is_argument(bracket: Atom) -> bool:
     with_them = with_arguments(Glyph(""), bracket)
     return lists_letters(bracket) or len(bracket.inside) > 1 or (with_them is not None and with_them.arguments == "t")

@@ -29,6 +29,8 @@ MANY = 3
 NUMBERS = frozenset({"1/", r"\sqrt", r"\sin", r"\cos", r"\tan"})
 SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
 """Signs that make a cross-product matrix of a vector."""
+CROSSED = frozenset({r"\times", r"\|\|", *SKEW})
+"""Signs of vectors."""
 
 
 @dataclass
@@ -102,12 +104,15 @@ def letter_uses(
     are_bold = sum(looks(stem)[0] for stem in uses) >= MANY
     are_thin = any(map(GRID.search, texts))
     are_thin |= any(use.signs & SKEW or (use.is_matrix and looks(stem)[1]) for stem, use in uses.items())
+    traced = {stem.base.split()[-1] for stem, use in uses.items() if use.signs & {*TRACES, ":"}}
     for stem, use in uses.items():
         entries = uses.get(Glyph(stem.base, stem.accents, "#"), LetterUse()).letters
         has_parts = not stem.sub and {"x", "y"} <= {glyph.sub for glyph in entries}
         sign, _, bare_letter = stem.base.partition(" ")
         of = replace(stem, base=bare_letter) if sign in DIFFERENCES and bare_letter else stem
         use.kind, use.other = _kind(of, uses.get(of, use), are_bold, are_thin, has_parts)
+        if use.kind == "vector" and looks(of)[0] and of.base.split()[-1] in traced and not use.signs & CROSSED:
+            use.kind, use.other = "matrix", "vector"
         if _is_imaginary(stem, use, texts):
             use.kind, use.other = "imaginary unit", ""
         if use.kind == "rotation" and ("+" in use.signs or not has_rotations):
@@ -177,13 +182,11 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts
     """
     letter = stem.base.split()[-1]
     bold, large = looks(stem)
-    crossed = bool(use.signs & {r"\times", r"\|\|", *SKEW})
+    crossed = bool(use.signs & CROSSED)
     vector = crossed or (not large and r"\tilde" in use.signs)
     is_apart = not crossed and (use.is_matrix or r"\cdot" not in use.signs)
     if large and (bold or use.is_matrix) and (use.is_square or is_apart or letter in ("R", "Q", "C")):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
-    if bold and not crossed and use.signs & {*TRACES, ":"}:
-        return "matrix", "vector"
     if bold or use.signs & SKEW or (vector and not are_bold) or (has_parts and not large):
         return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
     if use.is_matrix:

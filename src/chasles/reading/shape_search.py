@@ -69,6 +69,7 @@ class _KindSearch:
     """Changes the kinds of letters, a few at a time, where an equation does not fit together."""
 
     def __init__(self, chains: Sequence[Sequence[Chain]], uses: dict[Glyph, LetterUse], marks: NameMarks) -> None:
+        self.weighted = [[(chain, 3 if _has_grid(chain) else 1) for chain in each] for each in chains]
         self.chains, self.uses = chains, uses
         self.names = usual_names()
         self.stems: dict[int, list[Glyph]] = {}
@@ -118,7 +119,16 @@ class _KindSearch:
     def faults(self, place: int) -> int:
         """How many relations of the equation do not fit together; those with a matrix count more."""
         self.work += 1
-        return sum(self._is_misshapen(chain) * (3 if _has_grid(chain) else 1) for chain in self.chains[place])
+        return sum(self._is_misshapen(chain) * weight for chain, weight in self.weighted[place])
+
+    def has_fewer(self, chains: Sequence[tuple[Chain, int]], faults: int) -> bool:
+        """Whether fewer relations than that do not fit together; those that did not before are best asked first."""
+        self.work += 1
+        for chain, weight in chains:
+            faults -= self._is_misshapen(chain) * weight
+            if faults <= 0:
+                return False
+        return True
 
     def _is_misshapen(self, chain: Chain) -> bool:
         """Whether it does not fit together, which only the letters asked for say: the next one follows from those."""
@@ -153,11 +163,12 @@ class _KindSearch:
         best = 0.0
         found: tuple[tuple[Glyph, Kind], ...] = ()
         here = self.faults(place)
+        chains = sorted(self.weighted[place], key=lambda each: not self._is_misshapen(each[0]))
         for change in islice(self._changes(place), MOST_TRIED):
             if self.work > MOST_WORK:
                 break
             old = self._let(change)
-            if self.faults(place) < here:
+            if self.has_fewer(chains, here):
                 places = dict.fromkeys(each for stem, _ in change for each in self.uses[stem].places)
                 affected = [*places][:MOST_AFFECTED]
                 after = sum(map(self.faults, affected)) + UNLIKELY * sum(map(self._cost, change))
