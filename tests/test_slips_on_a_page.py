@@ -74,7 +74,8 @@ assuming = ['n_x \cdot n_y = 0', 'n_z = n_x \times n_y']
 def test_a_slip_for_which_no_point_is_found_is_told_with_what_was_likely_meant() -> None:
     letters = {**{rf"\mathbf{{{each}}}": "vector" for each in "abc"}, r"\theta": "angle", "m": "scalar"}
     law, slip = r"\mathbf{c} = 2 \mathbf{b} - 3 \cos\theta \mathbf{b}", r"2 \mathbf{b} - m \mathbf{b}"
-    length = r"\theta = \|\mathbf{a}\| + \|\mathbf{a} \times \mathbf{b}\| + \|\mathbf{a} + \mathbf{b} - 2 \mathbf{c}\|"
+    lengths = (rf"\|\mathbf{{a}} \times \mathbf{{b}} + \mathbf{{b}} - {k} \mathbf{{c}}\|" for k in range(2, 18))
+    length = r"\theta = \|\mathbf{a}\| + " + " + ".join(lengths)
     said = (
         length.replace(r"\mathbf{c}", r"\mathbf{b} \times \mathbf{a}"),
         law,
@@ -150,3 +151,20 @@ def test_what_is_said_of_a_rate_in_another_frame_is_no_slip_of_a_letter() -> Non
     letters = {"symbols": {rf"\mathbf{{{letter}}}": {"is": "vector"} for letter in "rsw"}}
     page = r"$$\mathbf r = \mathbf s$$" + "\n" + r"$$\dot{\mathbf r} = \dot{\mathbf s} + \mathbf w \times \mathbf s$$"
     assert [each.verdict for each in read(page, letters).equations] == ["defined", "open"]
+
+
+ROTATION = r"""
+$$\theta = \sqrt{a^2 + b^2 + c^2}, \quad s = \frac{\sin\theta}{\theta}, \quad k = \frac{1 - \cos\theta}{\theta^2}$$
+
+$$R = \begin{bmatrix} 1 - k (b^2 + c^2) & k a b - s c & k a c + s b \\ k a b + s c & 1 - k (a^2 + c^2) & k b c - s a \\
+k a c - s b & k b c + s a & 1 - k (a^2 + b^2) \end{bmatrix}$$
+
+$$\operatorname{tr}(R) = 3 - 2 \frac{1 - \cos\theta}{\theta^2} (a^2 - b^2 + c^2)$$
+"""
+
+
+def test_a_slip_is_told_in_what_is_long_where_it_is_written_out() -> None:
+    letters = dict.fromkeys((r"\theta", *"abcsk"), "scalar") | {"R": "matrix"}
+    found = read(ROTATION, {"symbols": letters}, "md").equations[-1]
+    assert found.verdict == "fails"
+    assert "a^2 + b^2 + c^2" in str(found.finding.instead)

@@ -27,10 +27,11 @@ from chasles.vocabulary import Misfit, Node, Power
 
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
-MOST_WORDS, MOST_IN_BRIEF = 100, 24
+MOST_WORDS, MOST_IN_BRIEF, MOST_OF_A_SLIP = 100, 24, 1000
 """Problems of functions that have no polynomial form are left where they have more words than this, entry by entry.
 
-SymPy counts no work: where nothing says that a claim follows, or fails by a slip, few words are looked at.
+SymPy counts no work: where nothing says that a claim follows, or fails by a slip, few words are looked at; where a slip
+is known, more.
 """
 LESS_WORK = 0.04
 """The part of the work that is taken for a refutation, or a condition."""
@@ -47,6 +48,7 @@ class _Unproved(Exception):
 class _FewTerms(DeclaredPoints):
     """Points, for what is not long."""
 
+    most_words = MOST_WORDS
     attempts = ATTEMPTS
     fruitless = 8
 
@@ -74,6 +76,7 @@ def _require_few_terms(context: Context, suspects: Sequence[UnreducedEntry]) -> 
 class _Likely(DeclaredPoints):
     """Points that satisfy what a proof rests on, and no others."""
 
+    most_words = MOST_WORDS
     attempts = ATTEMPTS
 
     def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> None:
@@ -89,6 +92,8 @@ class _Likely(DeclaredPoints):
 class _NoCounterexamples(_Likely, _FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
+    most_words = MOST_IN_BRIEF
+
     def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> None:
         if not self.likely_vanish(context, solved, suspects):
             raise _Unproved
@@ -97,8 +102,18 @@ class _NoCounterexamples(_Likely, _FewTerms):
 class _Brief(_FewTerms):
     """The same, for what has few functions."""
 
+    most_words = MOST_IN_BRIEF
 
-FEW_TERMS, BRIEF, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _Brief(), _NoCounterexamples(), _Likely()
+
+class _OfSlip(_FewTerms):
+    """Points at which it shows that something is a slip, which is known."""
+
+    most_words = MOST_OF_A_SLIP
+
+
+FEW_TERMS, BRIEF, OF_SLIP = _FewTerms(), _Brief(), _OfSlip()
+NO_COUNTEREXAMPLES, LIKELY = _NoCounterexamples(), _Likely()
+Source = _FewTerms | _Likely
 
 
 def proof_of(claim: Claim, session: Session, likely: bool = False, work: float = 1.0) -> Verdict | None:
@@ -110,12 +125,13 @@ def proof_of(claim: Claim, session: Session, likely: bool = False, work: float =
     return verdict if verdict.true else None
 
 
-def verdict_on(claim: Claim, session: Session, is_brief: bool = False, work: float = LESS_WORK) -> Verdict:
+def verdict_on(claim: Claim, session: Session, source: Source = FEW_TERMS, work: float = LESS_WORK) -> Verdict:
     """The verdict on a claim under its premises; undecided where that takes more than this part of the work.
 
-    If `is_brief`, that is so of less that has functions: points at which it does not hold are searched for long.
+    The `source` of points says how much is looked at that has functions: points at which it does not hold are searched
+    for long.
     """
-    return _answer(claim, session, BRIEF if is_brief else FEW_TERMS, work)
+    return _answer(claim, session, source, work)
 
 
 def posed_on(claim: Claim, session: Session) -> Verdict:
@@ -127,7 +143,7 @@ def posed_on(claim: Claim, session: Session) -> Verdict:
         return Undecided(str(error))
 
 
-def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float = LESS_WORK) -> Verdict:
+def _answer(claim: Claim, session: Session, source: Source, work: float = LESS_WORK) -> Verdict:
     """The verdict; what is undecided is so with this source of points alone."""
     try:
         problem = problem_of(claim, "printed", session.accepted)
@@ -146,7 +162,7 @@ def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float 
     return found
 
 
-def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
+def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: Source) -> Verdict:
     if not isinstance(source, _Likely):
         verdict = _decided(problem, own, budget, source)
     else:
@@ -159,7 +175,7 @@ def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source:
     return verdict
 
 
-def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
+def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: Source) -> Verdict:
     """The verdict; one on rotations that move is proved for all spins."""
     if problem.has_functions:
         _require_few_words(problem, source)
@@ -184,8 +200,8 @@ def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, sourc
     return verdict
 
 
-def _require_few_words(problem: Problem, source: DeclaredPoints) -> None:
-    if _words_in(problem) > (MOST_IN_BRIEF if source in (BRIEF, NO_COUNTEREXAMPLES) else MOST_WORDS):
+def _require_few_words(problem: Problem, source: Source) -> None:
+    if _words_in(problem) > source.most_words:
         raise _Unproved("written out it is too long")
 
 

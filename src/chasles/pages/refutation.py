@@ -6,7 +6,7 @@ from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
 from chasles.pages.attempts import Known, all_said, known_of, named, with_premises
-from chasles.pages.bounded_proofs import LESS_WORK, verdict_on
+from chasles.pages.bounded_proofs import BRIEF, FEW_TERMS, LESS_WORK, OF_SLIP, verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
 from chasles.pages.notes import DEFINING, is_defining
@@ -57,7 +57,8 @@ def refuted(
     attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not may_fail)
     if is_open and may_define:
         return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
-    verdict = verdict_on(attempt, session, is_brief=is_open and is_false and not told)
+    is_brief = is_open and is_false and not told
+    verdict = verdict_on(attempt, session, OF_SLIP if instead else BRIEF if is_brief else FEW_TERMS)
     if may_fail and not is_false and isinstance(verdict, Fails):
         instead, unsure, known = _instead(claim, premises, session, consequences)
     again = unsure is not None and "" in unsure
