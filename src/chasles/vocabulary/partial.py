@@ -22,7 +22,7 @@ from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand, opened
 from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Skew, Trace, Vect
-from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk, with_parts
+from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk, with_inner, with_parts
 
 PRODUCTS = Scale, Contract, Dot, Cross
 LINEAR = Sum, Negative, Transpose, Block, Group, At, Skew, Trace, Vect
@@ -122,12 +122,14 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         return node
     if isinstance(node, Shorthand) and node.has_no_polynomial_form:
         return with_derivatives(node.definition, rules)
-    node = with_parts(node, lambda part: with_derivatives(part, rules))
-    if isinstance(node, Symbol) and node.stands_for is not None:
-        inner = with_derivatives(node.stands_for, rules)
-        return node if inner == node.stands_for else inner
-    if not isinstance(node, PartialDerivative):
-        return node
+    inner = with_inner(node, lambda part: with_derivatives(part, rules))
+    if isinstance(node, Symbol) or not isinstance(inner, PartialDerivative):
+        return inner
+    return _taken(inner, rules)
+
+
+def _taken(node: PartialDerivative, rules: Mapping[Node, Node]) -> Node:
+    """The derivative by each part of a block, by what something stands for, or by the whole of a symbol or its rate."""
     if isinstance(node.by, Block):
         return Block((tuple(with_derivatives(PartialDerivative(node.of, part), rules) for part in _parts_of(node.by)),))
     whole, entry = _place_of(node.by)
