@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
-from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.failures import BAD_INPUT, Failure, failing
 from chasles.decisions.memory import Memory
 from chasles.decisions.recalled import ANSWERS, as_text
 from chasles.decisions.session import Session
@@ -22,12 +22,9 @@ from chasles.vocabulary.arguments import WrongArgument
 
 def all_derivations(book: Chapter) -> dict[str, Derivation]:
     """The derivations by name, in the book's order. Raises Failure for declarations that contradict each other."""
-    try:
+    contradict = failing(DeclarationError, before="the declarations contradict each other: ", status=BAD_INPUT)
+    with contradict, failing(WrongArgument, status=BAD_INPUT):
         return declared_derivations(book.package)
-    except DeclarationError as error:
-        raise Failure(f"the declarations contradict each other: {error}", BAD_INPUT) from error
-    except WrongArgument as error:
-        raise Failure(str(error), BAD_INPUT) from error
 
 
 def chosen_derivations(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from chasles.cli.checkout import generated_folder
-from chasles.cli.failures import Failure
+from chasles.cli.failures import Failure, failing
 from chasles.cli.files import replace_whole
 from chasles.statements import Chapter
 from chasles.targets import Origin, Page, TargetKernel
@@ -33,7 +33,7 @@ def compiled(kernels: Sequence[TargetKernel], texts: Mapping[str, str], folder: 
     if compiler is None:
         raise Failure(f"{emitted}: there is no C compiler, neither cc nor what $CC names; they run in NumPy")
     place = folder / COMPILED / f"{digest_of(texts)}.so"
-    try:
+    with failing(CompilerFailed, OSError, before=f"{emitted}: "):
         with TemporaryDirectory(prefix="chasles-", ignore_cleanup_errors=True) as room:
             made = compiler.shared_object(library_of(kernels, texts), Path(room)).read_bytes()
         place.parent.mkdir(exist_ok=True)
@@ -41,8 +41,6 @@ def compiled(kernels: Sequence[TargetKernel], texts: Mapping[str, str], folder: 
         replace_whole({place: made})
         for path in former:
             path.unlink()
-    except (CompilerFailed, OSError) as error:
-        raise Failure(f"{emitted}: {error}") from error
     return place
 
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from chasles.cli.checkout import generated_folder, installed_folder
-from chasles.cli.failures import BAD_INPUT, Failure, complain
+from chasles.cli.failures import BAD_INPUT, Failure, complain, failing
 from chasles.decisions.session import Session
 from chasles.lowering.cost import roundings
 from chasles.lowering.lower import lower
@@ -42,10 +42,8 @@ def installed_kernels(book: Chapter) -> ModuleType:
     """
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        try:
+        with failing(ImportError):
             kernels = _offered(book) if book.package != BOOK else import_module("chasles.kernels")
-        except ImportError as error:
-            raise Failure(str(error)) from error
     complain(str(warning.message) for warning in caught)
     return kernels
 
@@ -85,10 +83,10 @@ def compared(
                 "run `chasles emit`, then `make compile`, for another chapter `chasles build`"
             )
         options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
-        try:
-            yield verify(_specification(entry, kernel, session), function, **options)
-        except (LoweringError, Unsatisfiable, TypeError) as error:
-            raise Failure(f"{name} cannot be compared with ({entry.number}): {error}") from error
+        said = f"{name} cannot be compared with ({entry.number}): "
+        with failing(LoweringError, Unsatisfiable, TypeError, before=said):
+            evidence = verify(_specification(entry, kernel, session), function, **options)
+        yield evidence
 
 
 def backend_of(kernels: ModuleType) -> str:

@@ -11,7 +11,7 @@ from chasles.bounds.proving import bound_of, key_of, remembered
 from chasles.cli.answers import answers
 from chasles.cli.book import decisions
 from chasles.cli.checkout import installed_folder
-from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.failures import BAD_INPUT, Failure, failing
 from chasles.decisions.prediction import predict
 from chasles.decisions.processes import spread
 from chasles.decisions.recalled import session_of
@@ -39,15 +39,11 @@ def everything(book: Chapter, folder: Path, anew: bool) -> tuple[tuple[TargetKer
 
 def in_languages(book: Chapter, names: Sequence[str], anew: bool) -> tuple[tuple[TargetKernel, ...], dict[str, str]]:
     """The kernels of a chapter, and the text of each file in the languages of these names. Raises Failure."""
-    try:
+    with failing(EmissionError, status=BAD_INPUT):
         targets = discover(named=names)
-    except EmissionError as error:
-        raise Failure(str(error), BAD_INPUT) from error
     kernels = commissioned(book.entries, session_of(book, anew), installed_folder(book))
-    try:
+    with failing(EmissionError, before="nothing was emitted: "):
         return kernels, spelled_out(kernels, targets, origin=_origin(book))
-    except EmissionError as error:
-        raise Failure(f"nothing was emitted: {error}") from error
 
 
 def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | None) -> tuple[TargetKernel, ...]:
@@ -107,10 +103,8 @@ def emitted(book: Chapter, kernels: tuple[TargetKernel, ...], beside: Mapping[st
     """
     # The ufuncs of another chapter are made when they are imported, of its C library: no extension module is built.
     targets = [target for target in discover() if book.package == BOOK or target.name != "gufunc"]
-    try:
+    with failing(EmissionError, before="nothing was emitted: "):
         return render(kernels, targets, beside, origin=_origin(book))
-    except EmissionError as error:
-        raise Failure(f"nothing was emitted: {error}") from error
 
 
 def _origin(book: Chapter) -> Origin:
@@ -118,9 +112,7 @@ def _origin(book: Chapter) -> Origin:
     conventions = getattr(import_module(book.package), "CONVENTIONS", ())
     if not isinstance(conventions, tuple) or not all(isinstance(said, str) for said in conventions):
         raise Failure(f"the CONVENTIONS of {book.package} must be a tuple of texts, not {conventions!r}", BAD_INPUT)
-    try:
+    with failing(ValueError, status=BAD_INPUT):
         for said in conventions:
             require_plain(said, f"the CONVENTIONS of {book.package}")
-    except ValueError as error:
-        raise Failure(str(error), BAD_INPUT) from error
     return Origin("" if book.package == BOOK else book.package, conventions)

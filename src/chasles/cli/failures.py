@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
 import click
 
@@ -18,6 +19,15 @@ class Failure(Exception):
     def __init__(self, message: str, status: int = FAILED) -> None:
         super().__init__(message)
         self.status = status
+
+
+@contextmanager
+def failing(*errors: type[Exception], before: str = "", status: int = FAILED) -> Iterator[None]:
+    """One of these errors within raises a Failure that says the same, with something before it."""
+    try:
+        yield
+    except errors as error:
+        raise Failure(f"{before}{error}", status) from error
 
 
 def complain(messages: Iterable[str]) -> int:

@@ -6,7 +6,7 @@ import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.failures import BAD_INPUT, Failure, failing
 from chasles.cli.files import replace_whole, text_of_file
 from chasles.pages.chapter_notation import notation_of_chapter
 from chasles.pages.folder import QUESTIONS, RECORD, BadRecord, answers, files_of
@@ -72,10 +72,8 @@ def read(
 def _answered(out: Path) -> tuple[Path, dict[str, dict[str, str]]]:
     """The file in the folder that asks a person, and what is filled in there."""
     asked = out / QUESTIONS
-    try:
+    with failing(ValueError, before=f"{asked}: ", status=BAD_INPUT):
         return asked, answers(text_of_file(asked)) if asked.exists() else {}
-    except ValueError as error:
-        raise Failure(f"{asked}: {error}", BAD_INPUT) from error
 
 
 def _write(page: ReadPage, given: dict[str, dict[str, str]], out: Path) -> None:

@@ -8,7 +8,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from chasles.cli.failures import FAILED, Failure
+from chasles.cli.failures import failing
 from chasles.cli.files import write_files
 from chasles.coq.checking import MISSING, CoqVerdict, accepted_before, coq_version, keep_accepted, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
@@ -130,12 +130,10 @@ def written(folder: Path, decided: Pairs, decide: Decide, anew: bool = False) ->
     chosen = {claim.name for claim in proved}
     checked: tuple[CoqVerdict, ...] = ()
     if version is not None:
-        try:
+        with failing(ChildProcessError):
             before = set() if anew else accepted_before(proved, version)
             checked = tuple(progress(verdicts_of_coq(parts, before, anew), len(proved), "Coq"))
             keep_accepted(checked, version)
-        except ChildProcessError as error:
-            raise Failure(str(error), FAILED) from error
         chosen = {each.claim.name for each in checked if each.accepted}
         refused = {each.claim.name: each.claim for each in checked if not each.claim.said}
         claims = tuple(refused.get(claim.name, claim) for claim in claims)

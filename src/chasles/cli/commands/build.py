@@ -10,7 +10,7 @@ import click
 from chasles.cli.book import as_data, print_data
 from chasles.cli.checkout import generated_folder, remember
 from chasles.cli.chosen_chapter import chapter
-from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.failures import BAD_INPUT, Failure, failing
 from chasles.statements.packages import BOOK
 
 
@@ -41,10 +41,8 @@ def command(out: Path | None, json: bool) -> int:
         raise Failure(f"`make compile` compiles the kernels of {BOOK}: name another chapter with --chapter", BAD_INPUT)
     folder = out or generated_folder(book, Path.cwd())
     kernels, texts = everything(book, folder, anew=False)
-    try:
+    with failing(EmissionError):
         write(folder, texts)
-    except EmissionError as error:
-        raise Failure(str(error)) from error
     remember(book, folder)
     made = compiled(kernels, texts, folder)
     module = offered(book, folder)

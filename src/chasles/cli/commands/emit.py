@@ -11,7 +11,7 @@ import click
 from chasles.cli.book import as_data, print_data
 from chasles.cli.checkout import generated_folder, remember
 from chasles.cli.chosen_chapter import chapter
-from chasles.cli.failures import FAILED, Failure, complain
+from chasles.cli.failures import FAILED, complain, failing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -59,14 +59,12 @@ def command(
         kernels, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
         head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
     in_part = bool(targets) or answers_alone
-    try:
+    with failing(EmissionError):
         if check:
             return _check(folder, texts, head, in_part, json)
         report = _write(folder, texts, in_part)
         if not in_part:
             remember(book, folder)
-    except EmissionError as error:
-        raise Failure(str(error)) from error
     if json:
         print_data({"folder": str(folder), "kernels": [kernel.name for kernel in kernels], **report})
     else:
