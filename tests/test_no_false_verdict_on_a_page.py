@@ -456,3 +456,11 @@ def test_values_behind_an_equation_are_defined_there() -> None:
     letters = {"symbols": dict.fromkeys("xmkEn", "scalar")}
     page = r"$$m \ddot x = - k x, \quad m = 2, \quad k = 8$$ $$E = m \dot x^2 / 2$$ $$E = \dot x^2$$"
     assert [each.verdict for each in chasles.read(page, letters, "md").equations[1:]] == ["defined"] * 3 + ["holds"]
+
+
+@pytest.mark.parametrize(
+    ("lead", "verdict"), [("or, in other units:", "open"), ("Hence", "fails"), ("or equivalently", "fails")]
+)
+def test_what_may_be_said_instead_is_not_wrong(lead: str, verdict: str) -> None:
+    page = f"$$F = 2 x + y$$\n\n{lead} $$F = 3 x + y$$"
+    assert chasles.read(page, {"symbols": LETTERS}, "md").equations[-1].verdict == verdict

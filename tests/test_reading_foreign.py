@@ -764,3 +764,15 @@ def test_bold_letters_that_have_a_trace_are_matrices_with_all_of_their_names() -
     )
     lines = proposed(displayed(page, "md")).splitlines()
     assert sum(each.startswith("'\\boldsymbol") and 'is = "matrix"' in each for each in lines) == 3
+
+
+def test_letters_in_braces_of_their_own_are_columns() -> None:
+    page = [r"[M]\{\ddot{u}\} + [K]\{u\} = \{F(t)\}", r"\{\sigma\} = \begin{Bmatrix} a & b & c\end{Bmatrix}^T"]
+    equations = [PrintedEquation(text) for text in page]
+    text = proposed(equations)
+    assert {"'u' = { is = \"vector\" }", "'\\sigma' = { is = \"vector\" }"} <= {
+        *text.replace("  # ? or scalar", "").splitlines()
+    }
+    assert not any(
+        part.fault for each in read_equations(equations, load_notation(text)) for part in each.readings[0].parts
+    )

@@ -213,7 +213,7 @@ class Deduction:
         if isinstance(fails.verdict, Fails) and not fails.open and isinstance(fails.statement, Claim):
             doubt = self._doubt(fails.statement, fails.instead, is_true=False)
             finding = with_fields(fails, open=True, doubt=doubt) if doubt else finding
-        is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
+        is_case = key is not None and (lead.is_other or self._said_here[1].get(key, claim.right) != claim.right)
         if is_case and isinstance(finding.verdict, Fails):
             return self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
         if finding.said_elsewhere and not meant:

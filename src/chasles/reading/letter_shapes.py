@@ -131,7 +131,9 @@ class _PieceShapes:
                 inner = self.terms(atom.inside[0])
                 if inner is not None and (inner[1] != 1 or inner == SCALAR):
                     raise Misshapen
-            case "BRACKET" if atom.inside and (text in ("()", "[]") or (text == r"\langle\rangle" and atom.inside[2:])):
+            case "BRACKET" if atom.inside and (
+                text in ("()", "[]", r"\{\}") or (text == r"\langle\rangle" and atom.inside[2:])
+            ):
                 cells = [self.terms(each) for each in atom.inside]
                 if len(cells) > 1:  # a column that is printed in a line, also where a T says so
                     return _stacked([[cell] for cell in cells])

@@ -191,6 +191,8 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts
         return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
     if use.is_matrix:
         return "vector", "matrix"
+    if r"\{\}" in use.signs:
+        return "vector", "scalar"
     if r"\otimes" in use.signs and not large:
         return "quaternion", "scalar"
     if use.signs & {r"\sin", r"\cos", r"\tan"}:
@@ -258,8 +260,8 @@ def _sign_around(piece: Atom, before: str) -> str:
     """What is noted of the letters that a piece holds: its own sign, or that before it."""
     if (found := derivative(piece)) and (found.sign in ("d", r"\partial") or is_undefined(found.sign)):
         return "d"
-    if piece.text == "[]" and len(pieces_of(piece)) == 1:
-        return "[]"
+    if piece.text in ("[]", r"\{\}") and len(pieces_of(piece)) == 1:
+        return piece.text
     if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups)):
         return r"[]_\times"
     return piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt", "e") else before

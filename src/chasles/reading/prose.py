@@ -87,6 +87,8 @@ LOCAL = re.compile(
 """How it leads to what holds at one moment or place alone."""
 RESTATING = re.compile(r"\W*(?:(?:or|i\.e|that is|namely|equivalently)\b\W*){0,2}$")
 """All that stands between two equations that say the same."""
+OTHER = re.compile(r"\W*(?:or|alternatively|otherwise|whereas)\b(?!\W*equivalent)")
+"""How it leads to what may be said instead of the display before."""
 DERIVING = re.compile(
     r"\b(?:from|using|into|substitut|insert|differentiat|integrat|solv|multipl|eliminat|combin|simplif|linear[iz]|impl"
     r"|yield|gives?\b|obtain|deriv|becomes?|follows (?:that|from)|leads to|so that|conclud|therefore|hence|thus"
@@ -102,7 +104,8 @@ REFERENCE = re.compile(r"\\\w*ref\*?\{([^{}]+)\}|\{eq\}`([^`]+)`|:eq:`([^`]+)`|\
 class Lead:
     """What the text before a display says of it: whether it is a law, or a condition of some case, or follows.
 
-    What `is_local` holds at one moment or place alone. It is said `again` in other words what the display before says.
+    What `is_local` holds at one moment or place alone. It is said `again` in other words what the display before says;
+    what `is_other` may be said instead.
     `cited` are labels and numbers that may be those of equations, the last first.
     """
 
@@ -111,6 +114,7 @@ class Lead:
     is_local: bool = False
     follows: bool = False
     again: bool = False
+    is_other: bool = False
     cited: tuple[str, ...] = ()
 
 
@@ -125,7 +129,8 @@ def lead_of(before: str) -> Lead:
         is_case=CASE.search(sentence) is not None,
         is_local=LOCAL.search(sentence) is not None and not derived,
         follows=derived is not None,
-        again=RESTATING.fullmatch(sentence) is not None,
+        again=(again := RESTATING.fullmatch(sentence) is not None),
+        is_other=not again and OTHER.match(sentence) is not None,
         cited=tuple(dict.fromkeys(names))[::-1],
     )
 
