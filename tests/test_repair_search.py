@@ -8,16 +8,20 @@ from dataclasses import replace
 import pytest
 
 from chasles.algebra import rings
+from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.repairs import repair as searching
 from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.repair import repair
 from chasles.statements import (
+    Chapter,
     Claim,
     Condition,
     Definition,
+    Entry,
     Hypothesis,
     Problem,
+    Section,
     Statement,
     load,
     nonzero,
@@ -38,6 +42,7 @@ from chasles.vocabulary import (
     dot,
     matrix,
     norm,
+    number,
     over,
     paren,
     plain,
@@ -257,3 +262,15 @@ def test_either_kind_of_polynomials_finds_the_same(request: pytest.FixtureReques
     request.getfixturevalue("without_flint")
     assert rings.backend() == "sympy"
     assert searched() == found
+
+
+def test_the_simplest_is_found_whatever_brings_it() -> None:
+    """That a quaternion has length one is said of its definition, which is all that the claim is given."""
+    a, q0 = vector("a", "a", "a vector part"), scalar("q0", "q_0", "a scalar part")
+    length = Condition("1", dot(a, a) + q0**2, number(1), on=(a, q0))
+    turned = Definition("2", M, (q0**2 - dot(a, a)) * one - 2 * q0 * CPM(a) + 2 * a @ a.T, given=(length,))
+    claim = Claim("3", M @ a, -a, given=(turned,))
+    entries = tuple(Entry(f"s{k}", Section("1", "Attitude"), each) for k, each in enumerate((length, turned, claim)))
+    correction = Session(book=Chapter("A book", entries)).decide(claim).correction
+    assert correction is not None
+    assert correction.sides == (M @ a, a)

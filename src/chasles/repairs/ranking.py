@@ -71,7 +71,7 @@ def _changed_marks(one: str, other: str) -> int:
 
 
 def idle_parts(node: Node, orthogonal: Container[Node]) -> int:
-    """How many parts of an expression have no effect: a x a, t - 2 t, c (1/c), and R R^T of what is `orthogonal`."""
+    """How many parts have no effect: a x a, t - 2 t, -(-t), c (1/c), and R R^T of what is `orthogonal`."""
     return sum(1 for part in w.walk(node) if not part.fault and _is_idle(part, orthogonal))
 
 
@@ -82,7 +82,7 @@ def _is_idle(part: Node, orthogonal: Container[Node]) -> bool:
         case w.Sum():
             cores = [split(term, lambda scalar: isinstance(scalar, w.Number)).core for term in _terms(part)]
             return len(set(cores)) < len(cores)
-        case w.Quotient(w.Scale(w.Number(), _), w.Number()):
+        case w.Quotient(w.Scale(w.Number(), _), w.Number()) | w.Negative(w.Negative() | w.Group(w.Negative())):
             return True
         case w.Scale(w.Number(), w.Scale(w.Number()) | w.Number()) | FunctionOf("sqrt", (w.Number(),)):
             return True
