@@ -7,19 +7,21 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from mpmath import fp
 
 from chasles.decisions.session import Decision
+from chasles.lowering.arithmetic import Decimals, evaluated
 from chasles.lowering.declaration import requested
 from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import lower, program_of
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, composed
-from chasles.statements import Claim, Definition, Entry, Kernel, Section, Theorem, unit
+from chasles.statements import Claim, Definition, Entry, Kernel, Section, Theorem, rotation, unit
 from chasles.verdict import Undecided
 from chasles.vocabulary import (
-    CPM,
     FREQUENCY,
     Rate,
     cos,
@@ -35,6 +37,7 @@ from chasles.vocabulary import (
     square,
     vector,
 )
+from chasles.vocabulary.functions import sign
 
 from ..sampling import WHOLE
 
@@ -224,8 +227,8 @@ def test_a_false_statement_that_is_not_needed_does_no_harm(book):
             "not a name: 'not a name' cannot be a name in a program: use letters, digits and underscores",
         ),
         (
-            Definition("9.8", M, inverse(CPM(u) + M), kernel=Kernel(of=(u, M), name="f", results=("K",))),
-            "[CPM(u) + M]^-1 (Inverse) has no program: write it out in the formula",
+            Definition("9.8", y, sign(x), kernel=Kernel(of=(x,), name="f")),
+            "sign(x) (FunctionOf) has no program: write it out in the formula",
         ),
         (
             Definition("9.8", y, x / (2 - 2 * number(1)), kernel=Kernel(of=(x,), name="f")),
@@ -235,6 +238,26 @@ def test_a_false_statement_that_is_not_needed_does_no_harm(book):
 )
 def test_what_no_program_can_be_made_of(book, statement, said):
     assert refusal(book, statement) == said
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4])
+def test_an_inverse_has_a_program(book, size):
+    """Its cofactors over the determinant, which is not zero by hypothesis."""
+    of, found = (square(name, name, "a matrix", size=size) for name in "AB")
+    statement = Definition("9.8", found, inverse(of + of @ of), kernel=Kernel(of=(of,), name="f"))
+    request = requested(statement, book.judge.decide)
+    program = program_of(request)
+    assert differences(request, program) == ()
+    given = np.random.default_rng(size).random(size * size)
+    values = evaluated(program.steps, Decimals(fp), lambda _, entry: given[entry])
+    matrix = given.reshape(size, size)
+    made = np.array([values[number] for number in program.results[0].entries]).reshape(size, size)
+    assert np.allclose(made @ (matrix + matrix @ matrix), np.eye(size))
+
+
+def test_the_inverse_of_a_rotation_is_its_transpose(book):
+    statement = Definition("9.8", w, inverse(M) @ u, assuming=(rotation(M),), kernel=Kernel(of=(M, u), name="f"))
+    assert Op.DIVIDE not in lower(statement, book.judge.decide).operations
 
 
 def test_a_definition_in_a_circle_is_refused(book):

@@ -17,6 +17,7 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle, without_angles
 from chasles.statements import Hypothesis, Packed, Stack, symmetric
 from chasles.statements.arrays import Place, argument_name, core_shape, places_of
+from chasles.statements.inverses import Inverses
 from chasles.statements.kernel import Argument, nodes_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Misfit, Node, Symbol, plain, undotted
@@ -108,10 +109,10 @@ def composed(
         _require_argument(name, node)
     hypotheses = (*hypotheses, *(symmetric(argument.matrix) for argument in arguments if isinstance(argument, Packed)))
     table = {left: right for left, right in (rules or {}).items() if left not in symbols}
-    named = NamedFunctions(table)
+    named, inverses = NamedFunctions(table), Inverses(hypotheses, table, any_size=False)
 
     def opened(node: Node) -> Node:
-        return named(without_angles(node, angles, table))
+        return named(without_angles(inverses(node), angles, table))
 
     hypotheses = tuple(h for h in hypotheses if all(map(is_plain, (*h.subjects, *h.nonvanishing, *h.sides))))
     rules = {left: opened(right) for left, right in table.items()}
@@ -119,6 +120,7 @@ def composed(
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
     hypotheses = tuple(dict.fromkeys(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses))
     form = tuple(map(opened, form))
+    hypotheses += tuple(inverses.needed)
     _require_fit(name, outputs, form)
     reach = Reach(name, symbols, rules, choices, angles, {known.symbol: known for known in named.known.values()})
     for value in (*(output.value for output in outputs), *form):
