@@ -89,9 +89,17 @@ class FittingContext:
         return list(dict.fromkeys((*usual, (1, 1), *((n, n) for n in known), *((n, 1) for n in known))))
 
     def mixes(self, one: Fit, other: Fit) -> bool:
-        """Whether scalars, vectors and quaternions meet as if all were quaternions, which words do not say; noted."""
+        """Whether scalars, vectors and quaternions meet as if all were quaternions, which words do not say; noted.
+
+        As long as the letters are proposed they may be something else: then it is read as printed, and ill-formed.
+        """
         shapes = {one.shape, other.shape}
-        mixed = self.notation.quaternions and len(shapes) == 2 and shapes <= {(1, 1), (3, 1), (4, 1)}
+        mixed = (
+            self.notation.quaternions
+            and not self.notation.proposed
+            and len(shapes) == 2
+            and shapes <= {(1, 1), (3, 1), (4, 1)}
+        )
         if mixed:
             self.note("a scalar, a vector or a quaternion stands for another of them: write columns of four", None)
         return mixed

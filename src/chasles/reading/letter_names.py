@@ -23,13 +23,13 @@ BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
 INERTIA = re.compile(
     r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI)"
-    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z(] |\^ \{ - 1|_ \{? ?(?:1 |[1-3]{2} \})"
+    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z('] |\^ \{ - 1|_ \{? ?(?:1 |[1-3]{2} \})"
     r"|= (?:\\i*int|\\[dt]?frac|m) )"
     r"|\} \{ (?:[^{}()+-]* )?I(?: [^{}()+-]*)? \}"
     r"|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"
 )
-"""An I before a letter or brackets, in a denominator, inverted, or said to be a quotient or integral, is no identity;
-nor is one of one row, nor a 1 that is transposed."""
+"""An I before a letter or brackets, with a prime, in a denominator, inverted, or said to be a quotient or integral, is
+no identity; nor is one of one row, nor a 1 that is transposed."""
 WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 _LABELLED = re.compile(
     r"(\\?[A-Za-z]+)(?: \})?(?: _ \{ [^{}]* \})? \^ \{ [01] \}"

@@ -184,7 +184,7 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts
     bold, large = looks(stem)
     crossed = bool(use.signs & CROSSED)
     vector = crossed or (not large and r"\tilde" in use.signs)
-    is_apart = not crossed and (use.is_matrix or r"\cdot" not in use.signs)
+    is_apart = not crossed and (use.is_matrix or letter == "I" or r"\cdot" not in use.signs)
     if large and (bold or use.is_matrix) and (use.is_square or is_apart or letter in ("R", "Q", "C")):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
     if bold or use.signs & SKEW or (vector and not are_bold) or (has_parts and not large):
@@ -263,7 +263,8 @@ def _sign_around(piece: Atom, before: str) -> str:
     if piece.text in ("[]", r"\{\}") and len(pieces_of(piece)) == 1:
         return piece.text
     if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups)):
-        return r"[]_\times"
+        is_letters = all(len(row) == 1 for terms in piece.inside for row in terms.rows)
+        return r"[]_\times" if is_letters else ""  # of a product one factor alone is a vector
     return piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt", "e") else before
 
 
