@@ -358,7 +358,8 @@ def test_a_verdict_that_is_rejected_without_a_cache_is_a_failure(monkeypatch: py
 
 def test_what_is_kept_is_of_all_the_code_that_decides() -> None:
     """Whatever is loaded to decide is part of the engine, but what only displays."""
-    # `chasles.prove` is loaded where functions of scalars occur only.
-    loaded = closure("chasles.decisions.session", "chasles.deriving", "chasles.points.search", "chasles.prove")
+    # `chasles.prove` and motions are loaded where functions of scalars occur only.
+    without = ("chasles.decisions.session", "chasles.deriving", "chasles.points.search")
+    loaded = closure(*without, "chasles.prove", "chasles.repairs.real_test")
     rooms = {name.split(".")[1] for name in loaded if "." in name}
     assert rooms - {"display", "several", "nearest"} == set(recalled.ENGINE)

@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from chasles.algebra import rings
+from chasles.decisions.prediction import predict
 from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.repairs import repair as searching
@@ -54,6 +55,9 @@ from chasles.vocabulary import (
     square,
     tr,
     vector,
+)
+from chasles.vocabulary import (
+    replace as replace_words,
 )
 
 from .sampling import WHOLE, sample
@@ -264,13 +268,27 @@ def test_either_kind_of_polynomials_finds_the_same(request: pytest.FixtureReques
     assert searched() == found
 
 
-def test_the_simplest_is_found_whatever_brings_it() -> None:
-    """That a quaternion has length one is said of its definition, which is all that the claim is given."""
+def _of_a_quaternion(right: Node) -> tuple[Chapter, Claim]:
+    """That it has length one is said of the definition, which is all that the claim is given."""
     a, q0 = vector("a", "a", "a vector part"), scalar("q0", "q_0", "a scalar part")
     length = Condition("1", dot(a, a) + q0**2, number(1), on=(a, q0))
     turned = Definition("2", M, (q0**2 - dot(a, a)) * one - 2 * q0 * CPM(a) + 2 * a @ a.T, given=(length,))
-    claim = Claim("3", M @ a, -a, given=(turned,))
-    entries = tuple(Entry(f"s{k}", Section("1", "Attitude"), each) for k, each in enumerate((length, turned, claim)))
-    correction = Session(book=Chapter("A book", entries)).decide(claim).correction
+    claim = Claim("3", M @ a, replace_words(right, {x: a}), given=(turned,))
+    entries = (Entry(f"s{k}", Section("1", "Attitude"), each) for k, each in enumerate((length, turned, claim)))
+    return Chapter("A book", tuple(entries)), claim
+
+
+def test_the_simplest_is_found_whatever_brings_it() -> None:
+    book, claim = _of_a_quaternion(-x)
+    correction = Session(book=book).decide(claim).correction
     assert correction is not None
-    assert correction.sides == (M @ a, a)
+    assert correction.sides == (claim.left, claim.right.term)
+
+
+def test_nothing_is_searched_for_that_holds_by_all_it_rests_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    searched: list[Statement] = []
+    monkeypatch.setattr(Session, "search", lambda _, statement: searched.append(statement) or {})
+    for right, count in ((x, 0), (-x, 1)):
+        book, _ = _of_a_quaternion(right)
+        predict(Session(book=book), [entry.statement for entry in book])
+        assert len(searched) == count

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from typing import TYPE_CHECKING
 
 from chasles import vocabulary as w
 from chasles.repairs.factors import Factors, declared_inverses
@@ -17,7 +18,6 @@ from chasles.repairs.inside_definitions import block_edits
 from chasles.repairs.local_edits import SingleEdit
 from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
-from chasles.repairs.real_test import RealTest, real_test
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
 from chasles.repairs.single_edits import exchanged_letters, in_letters
@@ -28,6 +28,9 @@ from chasles.statements import Claim, Statement
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node
+
+if TYPE_CHECKING:
+    from chasles.repairs.real_test import RealTest
 
 
 @dataclass
@@ -147,6 +150,8 @@ class Nearest:
         tested = self.agree(left, right) or self.is_tested(left, right)
         if tested and all(isinstance(bare(each.of), w.Symbol) for each in lengths):
             return None
+        from chasles.repairs.real_test import real_test  # few equations have no form, and NumPy takes long to load
+
         return real_test(self.statement, left, right, self.accepted)
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from itertools import chain, islice
+from typing import TYPE_CHECKING
 
 from chasles import vocabulary as w
 from chasles.repairs.local_edits import FORM, SingleEdit, turned_signs
 from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
-from chasles.repairs.real_test import RealTest
 from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
 from chasles.rewriting.coefficients import ONE, times
 from chasles.rewriting.places import everywhere, with_term
 from chasles.vocabulary import Node
 from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
+
+if TYPE_CHECKING:
+    from chasles.repairs.real_test import RealTest
 
 TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
 MOST = 2000
