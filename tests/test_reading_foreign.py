@@ -749,7 +749,7 @@ def test_a_quotient_of_columns_is_read_as_printed_and_ill_formed() -> None:
         r"\boxplus(x, \Delta) = x + \Delta",
         r"\mathbf{I}' \cdot \mathbf w = \mathbf{r} \times \mathbf F",
         r"\mathbf b = [m \mathbf{r}]_\times^T \cdot \mathbf w",
-        r"p = q \otimes r, \quad q = a + \mathbf u",
+        r"p = q \otimes r, \quad q = \begin{bmatrix} a & b & c & d\end{bmatrix}^T = a + \mathbf u \sin b",
         r"\frac{\tilde{\mathrm{d}}}{\mathrm{d} t}(\mathbf a\times\mathbf b) = \frac{\tilde{d} \mathbf c}{dt}",
         r"\partial_{tt} u = c^2 \partial_{x x} u",
         r"\usepackage{siunitx} x = \SI[per-mode=symbol]{5}{\metre\per\second}",
