@@ -464,3 +464,15 @@ def test_values_behind_an_equation_are_defined_there() -> None:
 def test_what_may_be_said_instead_is_not_wrong(lead: str, verdict: str) -> None:
     page = f"$$F = 2 x + y$$\n\n{lead} $$F = 3 x + y$$"
     assert chasles.read(page, {"symbols": LETTERS}, "md").equations[-1].verdict == verdict
+
+
+def test_what_is_open_in_one_of_several_readings_is_no_premise() -> None:
+    letters = {rf"\mathbf{{{letter}}}": "vector" for letter in "abc"}
+    triple = r"\mathbf a \times \mathbf b \times (\mathbf b \times \mathbf a)"
+    page = rf"""$$\mathbf c = \mathbf a + \mathbf b$$
+
+$${triple} = \mathbf a \times ((\mathbf b \cdot \mathbf a) \mathbf b - (\mathbf b \cdot \mathbf b) \mathbf a)$$
+
+$$(\mathbf a \cdot \mathbf b) \mathbf a \times \mathbf b = 2 (\mathbf a \cdot \mathbf b) \mathbf a \times \mathbf c$$"""
+    found = [each.verdict for each in chasles.read(page, {"symbols": letters}, "md").equations]
+    assert found == ["defined", "ambiguous", "fails"]

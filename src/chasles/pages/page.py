@@ -219,7 +219,8 @@ def _decided(
     news = [deduction.strange(reading) for reading in equation.readings]
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
-    where = equation.printed
+    where, known = equation.printed, deduction.premises
+    posed, opened = len(known.posed), dict(known.opened)
     findings = list(_said(taken, number, first, notes, deduction, ahead, where, lead))
     usual = [_verdict(finding) for _, finding in findings]
     told = []
@@ -227,6 +228,9 @@ def _decided(
         verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, where, lead)]
         if verdicts != usual and not UNDECIDED.issuperset((*verdicts, *usual)):
             told.append((", ".join(verdicts), _in_latex(other)))
+    if told:  # what is open in one reading alone is no premise of what follows
+        deduction.premises.posed[posed:], deduction.premises.opened = [], opened
+        deduction.premises.told.pop(number, None)
     for place, (part, finding) in enumerate(findings, first):
         yield PageEquation(equation, number, place, part, finding, tuple(told))
 
