@@ -30,6 +30,9 @@ TRUE = [
     (atan2(2 * x, 1 - x**2), 2 * atan(x)),
     (atan2(-u, p), -atan2(u, p)),
     (atan2(-p, u), -atan2(p, u)),
+    (atan2(x, x), atan2(sign(x), sign(x))),
+    (atan2(x**2, -(x**2)), 3 * pi / 4),
+    (atan2(p * x, p), atan(x)),
     (atan(left) + atan2(p, above * Abs(y)) + pi, atan(left) + atan(p / (above * Abs(y))) + pi),
 ]
 FALSE_AT_AN_END: list[tuple[Any, Any, list[Any]]] = [

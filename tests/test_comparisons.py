@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from sympy import Rational, acos, asin, atan, cos, cosh, erf, exp, floor, log, pi, sin, sqrt, tanh
+from sympy import Rational, acos, asin, atan, cos, cosh, erf, exp, floor, log, pi, sin, sinh, sqrt, tanh
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.visible import signs_of
@@ -26,6 +26,8 @@ TRUE = [
     x - 1 < floor(x), floor(x) + floor(-x) <= 0, sp.Mod(x, 3) < 3, atan(x) < pi / 2, acos(x) <= pi,
     asin(x * y) <= pi / 2,
     sp.Abs(sp.atan2(y, x)) <= pi, tanh(x) ** 2 < 1, erf(x) <= 1, sin(x) + cos(x) <= sqrt(2),
+    sp.Abs(sinh(x)) < cosh(x), sp.Abs(sinh(x)) <= cosh(x), sp.Max(-sinh(x), sinh(x)) < cosh(x),
+    sp.Abs(x - sinh(x)) <= cosh(x) + 1,
     exp(x) >= 1 + x, log(p) <= p - 1, sin(p) < p, exp(-p) < 1, tanh(p) < p, cos(x) >= 1 - x**2 / 2,
     x * exp(-x) <= 1 / sp.E,
     log(1 + p) > p / (1 + p), cosh(x) >= 1 + x**2 / 2, log(p / q) <= p / q - 1,

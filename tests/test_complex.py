@@ -30,6 +30,7 @@ TRUE: list[tuple[Any, Any, set[str]]] = [
     (im(x / y), 0, {"y != 0"}),
     (conjugate(tan(x)), tan(x), {"cos(x) != 0"}),
     (1 / z, conjugate(z) / (x**2 + y**2), {"x**2 + y**2 != 0"}),
+    (re(sqrt(z)), sqrt((Abs(z) + x) / 2), {"x**2 + y**2 != 0"}),
     (z**3, x**3 - 3 * x * y**2 + I * (3 * x**2 * y - y**3), set()),
     (z**-2 * w, w / z / z, {"x**2 + y**2 != 0"}),
     (im(y * exp(I * x)), y * sin(x), set()),

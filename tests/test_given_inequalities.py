@@ -97,6 +97,15 @@ BETWEEN: list[tuple[Any, Any, list[Any]]] = [
     (sqrt(f.diff(t) ** 2), f, [Eq(f.diff(t), -f), f > y, y > 0]),
     (Abs(x + f), x + f, [x + f > 0]),
 ]
+WITH_ENDS: list[tuple[Any, Any, list[Any]]] = [
+    (sp.atan(tan(x)), x, [x >= -pi / 2, x <= pi / 2]),
+    (x, pi / 2, [Eq(sin(x), 1), x >= 0, x <= pi]),
+    (x, pi / 2, [Eq(sin(x), 1), x > 0, x < pi]),
+    (x, 0, [Eq(cos(x), 1), x >= -pi / 2, x <= pi / 2]),
+    (x, acos(y), [Eq(cos(x), y), x >= 0, x <= pi]),
+    (x, y, [Eq(sin(x), sin(y)), x >= -pi / 2, x <= pi / 2, y >= -pi / 2, y <= pi / 2]),
+    (x, 3 * pi / 2, [Eq(sin(x), -1), x >= 0, x < 2 * pi]),
+]
 NONE_IS_NEGATIVE: list[tuple[Any, Any, list[Any]]] = [
     (u, 0, [Eq(u + v, 0)]),
     (x, 0, [Eq(x**2 + v, 0)]),
@@ -131,7 +140,7 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
 
 
 @pytest.mark.sampled(7)
-@pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN, *NONE_IS_NEGATIVE], ids=str)
+@pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN, *WITH_ENDS, *NONE_IS_NEGATIVE], ids=str)
 def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)
     assert isinstance(verdict, Holds | HoldsUnder)

@@ -208,6 +208,7 @@ class Elementary(Placeholders):
         origin = self._original(base)
         size = origin if number or base.is_positive else sympy.Abs(origin)
         word = self._word(sympy.log(size), positive=number)
+        self._meet(base)
         self.logs[word] = base
         return word
 

@@ -9,7 +9,8 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.checker.sparse import Rejected
+from chasles.checker.expressions.proof import check_part
+from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.asking import ask
 from chasles.from_sympy.general import General, relations
 from chasles.from_sympy.question import Question
@@ -71,6 +72,11 @@ def _proved(
     question.search.blind = question.search.unseen = True
     verdict = decide(question)
     if not isinstance(verdict, Holds | HoldsUnder) or "unread" in verdict.certificate:
+        return None
+    try:
+        with well_formed("certificate"):
+            check_part(verdict.certificate, verdict.needs, (*columns, known, declared))
+    except Rejected:
         return None
     said = {text for item in question.sources.values() for text in item} | {f"{e.lhs} = {e.rhs}" for e in known}
     needs = tuple(text for text in verdict.needs if text not in said)

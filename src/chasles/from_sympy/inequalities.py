@@ -14,6 +14,7 @@ from sympy.functions.elementary.trigonometric import InverseTrigonometricFunctio
 from chasles.checker.expressions.bounded_angles import between, is_halved, ratio
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.switches import visible_signs
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
@@ -206,7 +207,9 @@ def _with_signs_seen(e: Any, new: set[Any]) -> Any:
         return e
     power = e.is_Pow and e.exp.is_Rational and not (e.exp.is_Integer and e.exp > 0)
     if power or (isinstance(e, sympy.Function) and len(e.args) == 1 and type(e) not in CIRCULAR):
-        e = e.func(sympy.factor(sympy.together(e.args[0])), *e.args[1:])
+        inside = sympy.factor(sympy.together(e.args[0]))
+        signs = (visible_signs(part) for part in sympy.Mul.make_args(inside) if part.free_symbols)
+        e = e.func(inside, *e.args[1:]) if any(len(each) < 3 for each in signs) else e
     return e.func(*(_with_signs_seen(part, new) for part in e.args)) if e.args else e
 
 

@@ -71,7 +71,9 @@ class ProofByCases:
         said = claimed or (deciding(open_) if factors is None else here)
         factor = next((e for e in said if case.sign(e) is None), None) if open_ else None
         if factor is None:
-            return self.decided(case) if factors is None or not open_ else None
+            before, found = {*self.needs}, self.decided(case)
+            # Of a form that is left open, it would be needed where its sign is zero that it is not.
+            return found if factors is None or not open_ or self.needs.keys() <= before else None
         size = self._fresh("d")
         by_sign = self._each(case.split(factor, size, named), factors, named)
         return by_sign and {"on": str(factor), "size": size, **({"named": True} if named else {}), **by_sign}

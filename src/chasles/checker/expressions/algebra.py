@@ -63,6 +63,11 @@ class QuotientRing:
         numerator, powers = cleared(polynomial, self.inverses, self._below)
         return self.normal(numerator), dict(exponents(powers))
 
+    def undivided(self, value: Polynomial) -> Polynomial:
+        """What has the same sign, with nothing divided by."""
+        numerator, below = self.cleared(value)
+        return self.normal(numerator * self.divisors({place: power % 2 for place, power in below.items()}))
+
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether nothing is left of the polynomial."""
         return not self.cleared(polynomial)[0]

@@ -26,12 +26,13 @@ class Arcs:
         """The angle of the point (x, y), which is not the origin."""
         if not y and (is_positive(self.reading, x) or is_positive(self.reading, -x)):
             return ZERO if is_positive(self.reading, x) else self.reading.half_turn()
+        sizes = () if constant(x) is not None else (x, -x)
+        if size := next((size for size in sizes if is_positive(self.reading, size)), None):
+            y, x = (self.reading.in_lowest_terms(side * self.reading.inverse(size)) for side in (y, x))
         if self.reading.complete and self.reading.is_number(x) and self.reading.is_number(y):
             multiple = self.reading.part_of_turn(y, x)
             if multiple is not None:
                 return self.reading.half_turn() * number(multiple)
-        if constant(x) is None and is_positive(self.reading, x):
-            y, x = self.reading.normal(y * self.reading.inverse(x)), ONE
         (above, below), (other, another) = self.reading.cleared(y), self.reading.cleared(x)
         key = tuple(frozenset((*p.terms.items(), (-1, p.below))) for p in (above, other))
         key = (*key, frozenset(below.items()), frozenset(another.items()))
@@ -46,8 +47,8 @@ class Arcs:
             self.functions.require_nonzero(x * x + y * y)
         return variable(self.places[key])
 
-    def direction(self, place: int, multiple: Fraction) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of a multiple of the angle of a point: half of it has a cosine that is not negative."""
+    def direction(self, place: int, multiple: Fraction, both: bool = True) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a multiple of the angle of a point; where not `both` count, half a turn may be halved."""
         read, (y, x) = self.reading, self.points[place]
         square = read.normal(x * x + y * y)
         for _ in range(multiple.denominator.bit_length() - 1):
@@ -55,7 +56,7 @@ class Arcs:
             cosine, sine = read.normal(x * inverse), read.normal(y * inverse)
             half = (ONE + cosine) * number(Fraction(1, 2))
             x = read.root(half)
-            y, square = read.normal(sine * x * self.functions.inverse(half) * number(Fraction(1, 2))), ONE
+            y, square = read.normal(sine * x * self.functions.inverse(ONE + cosine)) if both else ZERO, ONE
         power = abs(multiple.numerator)
         cosine, sine = read.complex_power(x, y, power)
         inverse = read.power(self.functions.inverse(square), (power + 1) // 2)
@@ -100,9 +101,9 @@ class Arcs:
         return found
 
     def turned(self, difference: Polynomial, halvings: int) -> Polynomial:
-        """What vanishes only where a sum of angles does: one less its cosine, if that is one nowhere else."""
+        """What vanishes only where a sum of angles does: its cosine less one, if that is one nowhere else."""
         size = 2 ** min(halvings + 1, MOST_HALVINGS)
         within = all(abs(end) < size or (abs(end) == size and strict) for end, strict in self.bounds(difference))
         if halvings >= MOST_HALVINGS or not within:
             raise Rejected("a sum of angles is not known to be less than a turn")
-        return ONE - self.reading.turn(difference * number(Fraction(1, 2**halvings)))[0]
+        return self.reading.turn(difference * number(Fraction(1, 2**halvings)), both=False)[0] - ONE

@@ -180,7 +180,7 @@ class Expressions(QuotientRing):
 
     def circular(self, function: str, argument: Any) -> Polynomial:
         """The cosine or sine of an angle; one if neither is asked for."""
-        return ONE if not function else self.turn(self.argument(argument))[function == "sin"]
+        return ONE if not function else self.turn(self.argument(argument), function == "sin")[function == "sin"]
 
     def argument(self, e: Any) -> Polynomial:
         """The argument of a cosine or sine, in the quantities that make angles."""
@@ -190,8 +190,8 @@ class Expressions(QuotientRing):
         """Cosine and sine of what was read as an angle."""
         return self.turn(angle)
 
-    def turn(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of a sum of rational multiples of angles and of pi, by the addition formulas."""
+    def turn(self, angle: Polynomial, both: bool = True) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a sum of rational multiples of angles and of pi; any sine if not `both` count."""
         cosine, sine = ONE, ZERO
         for monomial, coefficient in angle.terms.items():
             multiple = Fraction(coefficient, angle.below)

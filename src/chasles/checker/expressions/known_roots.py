@@ -30,6 +30,7 @@ class KnownRoots(SignedReading):
 
     def require_nonnegative(self, value: Polynomial) -> None:
         """Something is visibly not negative, or has to be said to be."""
+        value = self.undivided(value)
         if not is_nonnegative(self, value):
             self.domains.append(value)
             self.know(value)
@@ -87,11 +88,8 @@ class KnownRoots(SignedReading):
         if key not in self._roots and (root := self._by_factors(inside)) is not None:
             self._roots[key] = scale, root
         if key not in self._roots:
-            sides = [] if (whole := root_of_square(inside)) is None else [whole, -whole]
-            if (root := next(filter(self.is_seen, sides), None)) is not None:
-                return root * outside
             positive = self.complete and self.is_number(inside) and self.sign(inside) > 0
-            if sides or positive or is_nonnegative(self, inside):
+            if positive or root_of_square(inside) is not None or is_nonnegative(self, inside):
                 self._roots[key] = scale, self._new_root(inside)
         if key not in self._roots:
             raise Rejected("the certificate does not say what a root is")
@@ -103,10 +101,12 @@ class KnownRoots(SignedReading):
         total = ONE
         for key, (scale, root) in [*self._roots.items()]:
             square = Polynomial(dict(key)) * number(scale)
-            while constant(square) is None is constant(inside) and (rest := quotient(inside, square)) is not None:
-                inside, total = rest, total * root
-        positive = constant(inside)
-        return self.normal(total * self._of_number(positive)) if positive is not None and positive > 0 else None
+            while constant(square) is None is constant(inside) and (left := quotient(inside, square)) is not None:
+                inside, total = left, total * root
+        scale, base = primitive(inside)
+        whole = root_of_square(base) if scale > 0 else None
+        rest = next((side for side in (whole, whole and -whole) if side and self.is_seen(side)), None)
+        return self.normal(total * rest * self._of_number(scale)) if rest else None
 
     def _lowest(self, numerator: Polynomial, below: Mapping[int, int]) -> tuple[Polynomial, dict[int, int]]:
         """A fraction without the divisors that are factors of its numerator."""
@@ -115,6 +115,11 @@ class KnownRoots(SignedReading):
             while powers[place] and (rest := quotient(numerator, self.inverses[place])) is not None:
                 numerator, powers[place] = rest, powers[place] - 1
         return numerator, powers
+
+    def in_lowest_terms(self, value: Polynomial) -> Polynomial:
+        """The same without divisors that are factors of the rest."""
+        numerator, below = self._lowest(*self.cleared(value))
+        return numerator * Polynomial({sum(packed(*pair) for pair in below.items()): 1})
 
     def _of_number(self, square: Fraction) -> Polynomial:
         """The root of a rational number in the roots of whole numbers that the certificate has."""

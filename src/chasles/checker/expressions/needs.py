@@ -99,9 +99,9 @@ class _SaidNeed:
     def polynomial(self) -> Polynomial:
         """What the need is about, or something of the same sign, with nothing divided by."""
         if self._polynomial is None:
-            numerator, below = self.reading.cleared([ZERO, *self._values()][-1])
-            odd = {place: power % 2 for place, power in below.items() if self.relation != " != 0"}
-            self._polynomial = self.reading.normal(numerator * self.reading.divisors(odd))
+            value = [ZERO, *self._values()][-1]
+            unsigned = self.relation == " != 0"
+            self._polynomial = self.reading.cleared(value)[0] if unsigned else self.reading.undivided(value)
         return self._polynomial
 
     @property

@@ -43,9 +43,14 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
             stated = [(item.text, list(item.pairs.values())) for item in asked.given if item.pairs]
             stated += [(text, []) for text in asked.real]
             # The witness of the parts of a proof is that of the whole.
-            check_widened(verdict, sides, stated, asked.nonzero, lambda c, n, part: _check(c, n, Asked(*part), None))
+            check_widened(verdict, sides, stated, asked.nonzero, check_part)
         else:
             _check(verdict.certificate, verdict.needs, asked, verdict.witness)
+
+
+def check_part(certificate: Data, needs: Sequence[str], question: tuple[Any, ...]) -> None:
+    """The same of a part of a proof, which has no witness of its own."""
+    _check(certificate, needs, Asked(*question), None)
 
 
 def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) -> None:

@@ -183,12 +183,12 @@ class Proven(KnownRoots):
             return super().over(value, spelled)
         return super().over(numerator, spelled) * self.normal(outside * self.divisors(below))
 
-    def turn(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
+    def turn(self, angle: Polynomial, both: bool = True) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a sum of angles, those of points taken from them."""
         parts, rest = self.arcs.split(angle)
         cosine, sine = super().turn(rest)
         for place, multiple in parts:
-            c, s = self.arcs.direction(place, multiple)
+            c, s = self.arcs.direction(place, multiple, both or len(parts) > 1 or bool(rest))
             cosine, sine = self.normal(cosine * c - sine * s), self.normal(sine * c + cosine * s)
         return cosine, sine
 
