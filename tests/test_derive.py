@@ -17,7 +17,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.recalled import shipped
 from chasles.decisions.session import Session
 from chasles.deriving import CheckedDerivation, CheckedStep, state, steps, walk
-from chasles.statements import Claim, DeclarationError, Statement, load
+from chasles.statements import Claim, DeclarationError, Definition, Statement, load, nonzero
 from chasles.statements.derivation import (
     Ansatz,
     Compare,
@@ -33,7 +33,7 @@ from chasles.statements.derivation import (
 from chasles.statements.derivations import declared_derivations
 from chasles.statements.packages import BOOK
 from chasles.verdict import Fails, Undecided
-from chasles.vocabulary import Negative, Node, Number, Scale, cos, inverse, plain, rate, sin
+from chasles.vocabulary import Negative, Node, Number, Scale, cos, inverse, plain, rate, scalar, sin
 
 from .sampling import WHOLE, sample
 
@@ -259,6 +259,16 @@ def test_what_is_not_there_cannot_be_replaced(judge: Session) -> None:
     true = s02_screw.axis_is_not_turned
     road = walk(road_of(Consider(E @ e), Substitute(s02_screw.displacement), Compare(true), to=true), judge)
     assert "does not occur" in last(road).reason
+
+
+def test_what_is_assumed_of_what_is_taken_holds_all_along(judge: Session) -> None:
+    x, y, z = (scalar(name, name, "a number") for name in "xyz")
+    quotient = Definition("1", z, x / y, assuming=(nonzero(y),))
+    slope = Claim("2", rate(z), (rate(x) - z * rate(y)) / y, given=(quotient,), assuming=(nonzero(y),))
+    road = walk(road_of(Take(quotient), Differentiate(), Compare(slope, using=(quotient,)), to=slope), judge)
+    assert road.arrives
+    assert not road.differences
+    assert [step.verdict.needs for step in road.steps[1:]] == [("y != 0",)] * 2
 
 
 def test_two_identities_are_not_the_same_equation(judge: Session) -> None:

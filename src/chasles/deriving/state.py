@@ -13,7 +13,7 @@ from chasles.deriving.combine import combined
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.rewriting.products import without_brackets
-from chasles.statements import Claim, Condition, Goal, Problem, Statement, problem_of
+from chasles.statements import Claim, Condition, Goal, Hypothesis, Problem, Statement, problem_of
 from chasles.statements.derivation import Ansatz, Derivation
 from chasles.statements.elsewhere import cited
 from chasles.statements.statement import is_rule
@@ -58,10 +58,16 @@ class State:
         """What may be used: rules of the statements that are given, and all that is assumed."""
         named = dict.fromkeys((*self.derivation.given, *using))
         given = tuple(self.found.get(id(s), s) for s in named if usable(s))
-        claim = Claim("road", number(0), number(0), given=given, assuming=self.derivation.assuming)
+        claim = Claim("road", number(0), number(0), given=given, assuming=self._assumed)
         problem = problem_of(claim, "printed", self._standing)
         kept = tuple(rule for rule in problem.rules if rule[0] not in dict(rules))
         return with_fields(problem, goals=(), rules=(*kept, *rules))
+
+    @property
+    def _assumed(self) -> tuple[Hypothesis, ...]:
+        """What the derivation assumes, and what is assumed of each statement that it cites."""
+        cited = (*self.derivation.given, *(each for step in self.derivation.steps for each in step.cited))
+        return tuple(dict.fromkeys((*self.derivation.assuming, *(h for each in cited for h in each.assuming))))
 
     def _standing(self, statement: Statement) -> Equation:
         if any(statement is found for found in self.found.values()):
