@@ -38,6 +38,7 @@ from chasles.pages.premises import PosedEquation, Premises, chosen_rules, free_q
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.pages.unsaid_derivatives import UnsaidDerivatives
+from chasles.prover.certifying import proved
 from chasles.reading.prose import Lead
 from chasles.reading.reading import Part, Reading
 from chasles.repairs.repair import Repair
@@ -405,8 +406,4 @@ def _given_freely(given: tuple[str, ...], verdict: Verdict) -> Verdict:
     if not isinstance(verdict, HoldsUnder):
         return verdict
     needs = tuple(need for need in verdict.needs if need not in given)
-    return (
-        HoldsUnder(needs, verdict.certificate, verdict.witness, verdict.unused)
-        if needs
-        else Holds(verdict.certificate, verdict.witness, verdict.unused)
-    )
+    return proved(needs, verdict.certificate, verdict.witness, verdict.unused)
