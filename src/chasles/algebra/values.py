@@ -27,15 +27,6 @@ def is_zero(value: Value) -> bool:
     return not any(value.values())
 
 
-def times(one: Value, other: Value) -> Value:
-    """The product."""
-    total: Value = {}
-    for i, a in one.items():
-        for j, b in other.items():
-            total[i + j] = total.get(i + j, Fraction(0)) + a * b
-    return {power: c for power, c in total.items() if c}
-
-
 def divided(one: Value, other: Value) -> Value | None:
     """The quotient, if the divisor is a single power; else None."""
     kept = {power: c for power, c in other.items() if c}

@@ -7,20 +7,23 @@ it is so at all times.
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import reduce
 from math import factorial
 from operator import add
 
 from chasles import vocabulary as w
 from chasles.checker.reading import PolynomialProblem
 from chasles.checker.refutation import Value, quotient_at
-from chasles.checker.sparse import ONE, ZERO, Matrix, Polynomial, Rejected, exponents, number, packed, variable
+from chasles.checker.sparse import ZERO, Matrix, Polynomial, Rejected, exponents, number, packed, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
 from chasles.statements.rules import rated
 
 TIME, NUMBER, OVER = range(3)
-"""A function is a polynomial in time, the one transcendental number of a point, and one over `MotionThrough.below`."""
+"""A function is a polynomial in time, the one transcendental number of a point, and one over what is divided by.
+
+That is one and the square of the polynomial vector by which something is turned.
+"""
 MOVING = {TIME, OVER}
 Vector = list[Polynomial]
 TURNED = ("unit", "rotation", "orthonormal")
@@ -35,11 +38,6 @@ class MotionThrough:
         self._waiting: set[int] = set()
         self.turn: Vector = [ZERO] * 3
         self._turn()
-
-    @cached_property
-    def below(self) -> Polynomial:
-        """What is divided by: one and the square of a polynomial vector, by which something is turned."""
-        return reduce(add, (each * each for each in self.turn), ONE)
 
     def __call__(self, polynomial: Polynomial) -> Polynomial:
         """The function; zero if it is so at all times."""

@@ -78,7 +78,7 @@ def as_theorem(
             raise Unsaid("no proof is written of what is shown by induction")
         if claimed is not None and _follows(claimed) and sides_of(claimed)[0] not in (lhs, *lhs.args):
             raise Unsaid("no proof is written of what follows from another claim, as by an increasing function")
-        question = as_asked((lhs, rhs, given, nonzero), claimed)
+        question = as_asked((lhs, rhs, given, nonzero))
         needs = tuple(need for need in verdict.needs if need not in question.spelled)
         statement = ScalarStatement(question.asked, needs, question.values, claimed)
         own: SympyStatement = statement

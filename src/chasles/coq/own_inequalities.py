@@ -37,7 +37,7 @@ class OwnQuestion:
     """A question with its own sides and equations, beside those that `stand` for its inequalities `compared`.
 
     The former are first, as `prove` has them. By `values` its symbols and functions are said; `spelled` are the
-    equations as the verdict spells them. `claimed` is what joins the relations of a claim that is none by two sides.
+    equations as the verdict spells them.
     """
 
     asked: Asked
@@ -45,10 +45,9 @@ class OwnQuestion:
     spelled: frozenset[str] = frozenset()
     compared: tuple[Any, ...] = ()
     stand: tuple[Any, ...] = ()
-    claimed: Any = None
 
 
-def as_asked(said: Said, claimed: Any = None) -> OwnQuestion:
+def as_asked(said: Said) -> OwnQuestion:
     """The question as it was asked. Raises `Unsaid` for functions that are said by others, or by none."""
     for e in expressions_in(said):
         functions = {part.func for part in e.atoms(sympy.Function) if not isinstance(part, AppliedUndef)}
@@ -57,14 +56,14 @@ def as_asked(said: Said, claimed: Any = None) -> OwnQuestion:
     said = tuple(map(term_by_term, said))
     told = without_inequalities(said)
     if told is said:
-        return OwnQuestion(in_parts(Asked(*map(in_entries, said))), claimed=claimed)
+        return OwnQuestion(in_parts(Asked(*map(in_entries, said))))
     items = [item for _, item in listed(said[2], "given")]
     stated = [item for item in items if not isinstance(item, (*COMPARED, sympy.Ne)) and item is not sympy.true]
     new = told[2][: max(0, len(told[2]) - len(stated))]
     asked = Asked(*map(in_entries, (*said[:2], [*new, *stated], told[3])))
     spelled = frozenset(item.text for item in Asked(*map(in_entries, told)).given)
     compared = tuple(item for item in items if isinstance(item, COMPARED))
-    return OwnQuestion(in_parts(asked), _values(said, told, new, compared), spelled, compared, tuple(new), claimed)
+    return OwnQuestion(in_parts(asked), _values(said, told, new, compared), spelled, compared, tuple(new))
 
 
 def _values(said: Said, told: Said, new: list[Any], compared: Iterable[Any]) -> Values:

@@ -62,7 +62,7 @@ def as_refutation(
     claim = Claimed(name, "asked, which fails", name, f"{lhs} = {rhs}" if claimed is None else str(claimed))
     said = ""
     try:
-        question = as_asked((lhs, rhs, given, nonzero), claimed)
+        question = as_asked((lhs, rhs, given, nonzero))
         asked = question.asked
         needs = (*(f"{e} != 0" for e in asked.nonzero), *_where_defined((*asked.left.values(), *asked.right.values())))
         statement = ScalarStatement(asked, tuple(dict.fromkeys(needs)), question.values, claimed)

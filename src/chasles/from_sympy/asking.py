@@ -161,7 +161,7 @@ class _Asking:
             hidden=frozenset((*unsaid, *higher, *(h.text for h in roots.hypotheses))),
             sources={item.text: item.sources for item in self.given.equations if item.sources},
             origins=reader.atoms.origins,
-            roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
+            roots=frozenset((*words, *reader.roots.values())),
             substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
             formal=bool(self.elementary.origins),
             of_rates=frozenset(map(divisors.get, self.of_rates)),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -24,20 +23,11 @@ from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 
 
-@dataclass(frozen=True, slots=True)
-class ReadRoot:
-    """`word` is the nonnegative square root of `radicand`."""
-
-    word: Symbol
-    radicand: Node
-    expression: Any
-
-
 class Reader:
     """Reads SymPy expressions into words; one reader for everything that belongs to a question.
 
     `readings` says how, by the class of an expression or a class that it is derived from, and `meanings` what variables
-    for values of functions stand for.
+    for values of functions stand for. Of what stands under a root `roots` has the symbol that is the nonnegative one.
     """
 
     def __init__(self, readings: Mapping[type, Reading], meanings: Mapping[Any, Any]) -> None:
@@ -45,7 +35,7 @@ class Reader:
         self.atoms = QuantityNames()
         self.angles = Angles(self.atoms)
         self.divisors: dict[Node, DivisorText] = {}
-        self.roots: dict[Node, ReadRoot] = {}
+        self.roots: dict[Node, Symbol] = {}
         self.primes: dict[int, Symbol] = {}
         self.met: set[Node] = set()
         self._known: dict[Any, Node] = {}
@@ -150,9 +140,8 @@ class Reader:
         if isinstance(radicand, Number):
             return self.numeric_root(radicand.value)
         if radicand not in self.roots:
-            word = self.atoms.fresh(f"root_{len(self.roots) + 1}", sympy.sqrt(expression))
-            self.roots[radicand] = ReadRoot(word, radicand, expression)
-        return self.roots[radicand].word
+            self.roots[radicand] = self.atoms.fresh(f"root_{len(self.roots) + 1}", sympy.sqrt(expression))
+        return self.roots[radicand]
 
     def numeric_root(self, value: Fraction) -> Node:
         """The square root of a nonnegative rational number, in the square roots of primes."""

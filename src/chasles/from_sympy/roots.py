@@ -72,13 +72,13 @@ class _Resolver:
     def resolved(self) -> Roots:
         """One root after the other: those inside a radicand come before it."""
         context = self._context() if self.reader.roots else None
-        for root in self.reader.roots.values():
+        for radicand in self.reader.roots:
             assert context is not None
-            self._note(context, self._reduced(context, self._radicand(context, root.radicand)[0]))
-        for root in self.reader.roots.values():
+            self._note(context, self._reduced(context, self._radicand(context, radicand)[0]))
+        for radicand, root in self.reader.roots.items():
             context = self._context()
             self._look_up_in(context)
-            polynomial, absolute = self._radicand(context, root.radicand)
+            polynomial, absolute = self._radicand(context, radicand)
             value = self._square_free(context, polynomial)
             self.values.append((as_node(context, polynomial), value))
             below = [self._absolute(context, atom, node) for atom, node in absolute]
@@ -86,13 +86,13 @@ class _Resolver:
             above = [value, *(node for node, _ in below)]
             squares: list[Node] = [Power(node, 2) for _, node in below]
             total = Quotient(multiplied(above), multiplied(squares)) if squares else multiplied(above)
-            self.rules.append((root.word, total))
+            self.rules.append((root, total))
         self._compare()
         return Roots(tuple(self.rules), tuple(self.hypotheses), tuple(dict.fromkeys(self.domains)), tuple(self.values))
 
     def _context(self) -> Context:
         nothing = Number(Fraction(0))
-        goals = tuple(Goal("", root.radicand, nothing) for root in self.reader.roots.values())
+        goals = tuple(Goal("", radicand, nothing) for radicand in self.reader.roots)
         words = words_of(self.hypotheses)
         # A symbol ranks above its own root, so that it is replaced by the root's square and more squares are seen; and
         # this root below all others, so that it is not replaced by what these are roots of.

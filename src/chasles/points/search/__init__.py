@@ -84,7 +84,6 @@ class Search:
     unseen: bool = False
     rows: int | None = None
     write: Callable[..., dict[str, Any]] | None = None
-    closed: bool = True
     calls: int = 0
     theta: Symbol | None = None
 

@@ -21,10 +21,9 @@ SCRIPTS = ("msub", "msup", "msubsup")
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """What stays together, in how many brackets it is, and where it may begin a line: the better, the lower."""
+    """What stays together, and where it may begin a line: the better, the lower. By brackets, then by sign."""
 
     element: Element
-    depth: int
     rank: tuple[int, int] | None
 
 
@@ -125,7 +124,7 @@ def _ranked(pieces: Iterator[tuple[Element, int]]) -> Iterator[_Piece]:
     for element, depth in pieces:
         joined = before is None or _holds_on(before) or _is_held(element)
         sign = element.tag == "mo" and element.text in SIGNS
-        yield _Piece(element, depth, None if joined else (depth, 0 if sign else 1))
+        yield _Piece(element, None if joined else (depth, 0 if sign else 1))
         before = element
 
 
