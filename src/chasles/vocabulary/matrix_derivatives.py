@@ -47,9 +47,9 @@ class _Derivative:
 
     by: Node
 
-    def gradient(self, of: Node, weight: Node = ONE) -> Node:
+    def gradient(self, of: Node) -> Node:
         """The derivatives of a scalar by the entries of the letter, in its shape."""
-        return _sum(self._weighted(of, weight), *self.by.shape)
+        return _sum(self._weighted(of, ONE), *self.by.shape)
 
     def _weighted(self, of: Node, weight: Node) -> Iterator[Node]:
         """What the entries of the letter are weighted with, so that the variation is that of a weighted part."""
