@@ -25,8 +25,8 @@ from chasles.statements.elsewhere import chapter_of
 from chasles.statements.packages import generated_package
 
 ENGINE = (
-    *("vocabulary", "evaluation", "statements", "rewriting", "motions", "algebra", "verdict", "checker", "problems"),
-    *("points", "prover", "from_sympy", "prove", "deciding", "repairs", "decisions", "deriving"),
+    *("vocabulary", "evaluation", "statements", "rewriting", "algebra", "verdict", "checker", "problems", "points"),
+    *("motions", "prover", "from_sympy", "prove", "deciding", "repairs", "decisions", "deriving"),
 )
 """The packages and modules on which a verdict depends."""
 LIBRARIES = ("sympy", "python-flint")
