@@ -401,3 +401,31 @@ def test_a_need_on_a_function_of_time_of_which_something_is_assumed_is_checked()
     verdict = prove(*asked, nonzero=[turning])
     assert verdict.needs == ("u(t) != 0",)
     recheck(verdict, *asked, nonzero=[turning])
+
+
+@pytest.mark.parametrize(
+    ("function", "at", "needs"),
+    [
+        (sp.acos, x, ("1 - x**2 >= 0",)),
+        (sp.asin, 2 * x, ("1 - 4*x**2 >= 0",)),
+        (sp.log, x, ("x > 0",)),
+        (sp.log, 1 + x**2, ()),
+        (sp.acosh, x, ("x - 1 >= 0",)),
+        (sp.atanh, x, ("x + 1 > 0", "1 - x > 0")),
+        (sp.asec, x, ("x != 0", "x**2 - 1 >= 0")),
+        (sp.acos, sp.sin(x), ()),
+    ],
+)
+def test_a_function_is_defined_whose_sign_is_not_asked_for(function: Any, at: Any, needs: tuple[str, ...]) -> None:
+    """Squares are not negative whatever is squared: where it has no value nothing is said."""
+    f = function(at)
+    claims = [(f**2 + 1 > 0,), (sp.sign(f**2 + 1), 1), (sp.Abs(f) / (f**2 / 2 + 2) < 1,), (sp.Max(f**2, -1), f**2)]
+    for claim in claims:
+        verdict = prove(*claim)
+        assert verdict.true
+        assert {*needs} <= {*verdict.needs}
+        assert bool(needs) == bool(verdict.needs)
+        recheck(verdict, *claim)
+        if needs:
+            with pytest.raises(Rejected):
+                recheck(replace(verdict, needs=()), *claim)

@@ -14,6 +14,9 @@ from chasles.checker.sparse import ZERO, Polynomial, Rejected
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
+BY_SIGN = (sympy.Max, sympy.Min, sympy.Heaviside, sympy.sign, sympy.Abs)
+ARCS = (sympy.asin, sympy.acos, sympy.asec, sympy.acsc)
+PARTIAL = (sympy.log, *ARCS, sympy.acosh, sympy.atanh, sympy.asech, sympy.acoth)
 OF_COMPLEX = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 LARGEST_EXPONENT = 32
 Pair = tuple[Any, Any]
@@ -55,14 +58,20 @@ class Parts:
 
     def of(self, expression: Any) -> Pair:
         """The parts of what is read as a whole: if it is real, nothing of it is dropped."""
-        return self(expression) if expression.has(*OF_COMPLEX) else (expression, sympy.S.Zero)
+        if expression.has(*OF_COMPLEX):
+            return self(expression)
+        if expression.has(*PARTIAL):
+            # A sign may be known without the functions in it that have no value everywhere.
+            plain = expression.replace(lambda part: isinstance(part, sympy.Piecewise), lambda _: sympy.S.Zero)
+            found = {f for part in plain.atoms(*BY_SIGN) for f in part.atoms(*PARTIAL) if f.free_symbols}
+            self.met |= dict.fromkeys(sorted(found, key=str))
+        return expression, sympy.S.Zero
 
     def __call__(self, expression: Any) -> Pair:
         """The two parts; raises `Rejected` for functions of complex numbers that are not taken apart."""
-        known = self._known.get(expression)
-        if known is None:
-            known = self._known[expression] = self._split(expression)
-        return known
+        if expression not in self._known:
+            self._known[expression] = self._split(expression)
+        return self._known[expression]
 
     def _split(self, e: Any) -> Pair:
         if e is sympy.I:
@@ -81,8 +90,7 @@ class Parts:
             return re.diff(*e.variables), im.diff(*e.variables)
         if e.func in QUOTIENTS:
             return self(QUOTIENTS[e.func](*e.args))
-        rule = RULES.get(e.func)
-        parts = [self(argument) for argument in e.args]
+        rule, parts = RULES.get(e.func), [self(argument) for argument in e.args]
         if rule is not None and len(parts) == 1:
             return rule(*parts[0])
         whole = e.func(*(re for re, _ in parts)) if rule is None and all(im == 0 for _, im in parts) else e
@@ -92,14 +100,12 @@ class Parts:
 
     def _power(self, e: Any) -> Pair:
         """An integral power; one of a real number may have any exponent."""
-        re, im = self(e.base)
-        exponent = e.exp
+        (re, im), exponent = self(e.base), e.exp
         if e.base is sympy.E:
-            return _exp(*self(exponent))
+            return RULES[sympy.exp](*self(exponent))
         if im == 0:
-            (real, turn) = self(exponent)
-            whole = re**real
-            if turn == 0 and not whole.has(*OF_COMPLEX):
+            real, turn = self(exponent)
+            if turn == 0 and not (whole := re**real).has(*OF_COMPLEX):
                 return self(whole)
         if im == 0 or not exponent.is_Integer or abs(exponent) > LARGEST_EXPONENT:
             raise Rejected(f"{e} is not treated: of complex numbers only small integral powers are")
@@ -126,16 +132,12 @@ def _times(one: Pair, other: Pair) -> Pair:
     return a * c - b * d, _tidy(a * d + b * c)
 
 
-def _exp(a: Any, b: Any) -> Pair:
-    return sympy.exp(a) * sympy.cos(b), sympy.exp(a) * sympy.sin(b)
-
-
 # With z = a + b I; Abramowitz and Stegun, Handbook of Mathematical Functions, 4.2.35, 4.3.55, 4.3.56, 4.5.49, 4.5.50.
 RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
     sympy.re: lambda a, b: (a, sympy.S.Zero), sympy.im: lambda a, b: (b, sympy.S.Zero),
     sympy.conjugate: lambda a, b: (a, -b), sympy.arg: lambda a, b: (sympy.atan2(b, a), sympy.S.Zero),
     sympy.Abs: lambda a, b: (sympy.Abs(a) if b == 0 else sympy.sqrt(a**2 + b**2), sympy.S.Zero),
-    sympy.exp: _exp,
+    sympy.exp: lambda a, b: (sympy.exp(a) * sympy.cos(b), sympy.exp(a) * sympy.sin(b)),
     sympy.sin: lambda a, b: (sympy.sin(a) * sympy.cosh(b), sympy.cos(a) * sympy.sinh(b)),
     sympy.cos: lambda a, b: (sympy.cos(a) * sympy.cosh(b), -sympy.sin(a) * sympy.sinh(b)),
     sympy.sinh: lambda a, b: (sympy.sinh(a) * sympy.cos(b), sympy.cosh(a) * sympy.sin(b)),

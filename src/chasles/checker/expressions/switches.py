@@ -9,11 +9,12 @@ from typing import Any
 import sympy
 from sympy.core.relational import Relational
 
+from chasles.checker.expressions.complexes import BY_SIGN
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.visible import signs_of
 
 LARGEST_DEGREE = 60
-SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
+SWITCHES = (*BY_SIGN, sympy.Piecewise)
 
 
 def deciding(parts: Iterable[Any]) -> Iterator[Any]:
