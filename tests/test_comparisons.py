@@ -414,12 +414,17 @@ def test_a_need_on_a_function_of_time_of_which_something_is_assumed_is_checked()
         (sp.atanh, x, ("x + 1 > 0", "1 - x > 0")),
         (sp.asec, x, ("x != 0", "x**2 - 1 >= 0")),
         (sp.acos, sp.sin(x), ()),
+        (sp.tan, x, ("cos(x) != 0",)),
+        (sp.coth, x, ("exp(2*x) - 1 != 0",)),
+        (sp.gamma, x, ("1/gamma(x) != 0",)),
+        (sp.factorial, n, ("1/gamma(n + 1) != 0",)),
+        (lambda u: sp.Mod(u, y), x, ("y != 0",)),
     ],
 )
 def test_a_function_is_defined_whose_sign_is_not_asked_for(function: Any, at: Any, needs: tuple[str, ...]) -> None:
     """Squares are not negative whatever is squared: where it has no value nothing is said."""
     f = function(at)
-    claims = [(f**2 + 1 > 0,), (sp.sign(f**2 + 1), 1), (sp.Abs(f) / (f**2 / 2 + 2) < 1,), (sp.Max(f**2, -1), f**2)]
+    claims = [(sp.Gt(f**2 + 1, 0, evaluate=False),), (sp.sign(f**2 + 1), 1), (sp.Max(f**2, -1), f**2)]
     for claim in claims:
         verdict = prove(*claim)
         assert verdict.true
@@ -429,3 +434,11 @@ def test_a_function_is_defined_whose_sign_is_not_asked_for(function: Any, at: An
         if needs:
             with pytest.raises(Rejected):
                 recheck(replace(verdict, needs=()), *claim)
+
+
+def test_a_bound_holds_where_what_is_bounded_has_a_value() -> None:
+    claim = sp.Abs(acos(x)) / (acos(x) ** 2 / 2 + 2) < 1
+    verdict = prove(claim)
+    assert isinstance(verdict, HoldsUnder)
+    assert verdict.needs == ("1 - x**2 >= 0",)
+    recheck(verdict, claim)

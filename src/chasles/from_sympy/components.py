@@ -57,7 +57,9 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
         difference = relation.gts - relation.lts
         return sympy.Abs(difference), difference
     if isinstance(relation, sympy.StrictGreaterThan | sympy.StrictLessThan):
-        return sympy.sign(relation.gts - relation.lts), sympy.S.One
+        difference = relation.gts - relation.lts
+        # SymPy says of a tangent that it is real, also where it has no value.
+        return sympy.sign(difference, evaluate=difference.is_number), sympy.S.One
     why, instead = "no equation and no inequality", "hand in two sides"
     if relation is sympy.true or relation is sympy.false:
         why = "what SymPy has made of a relation when it was written"

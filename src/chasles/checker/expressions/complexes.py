@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
 BY_SIGN = (sympy.Max, sympy.Min, sympy.Heaviside, sympy.sign, sympy.Abs)
-ARCS = (sympy.asin, sympy.acos, sympy.asec, sympy.acsc)
-PARTIAL = (sympy.log, *ARCS, sympy.acosh, sympy.atanh, sympy.asech, sympy.acoth)
 OF_COMPLEX = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 LARGEST_EXPONENT = 32
 Pair = tuple[Any, Any]
@@ -27,6 +25,8 @@ QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
     sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z), sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
     sympy.sech: lambda z: 1 / sympy.cosh(z), sympy.csch: lambda z: 1 / sympy.sinh(z),
 }  # fmt: skip
+INVERSES = (sympy.asin, sympy.acos, sympy.asec, sympy.acsc, sympy.acosh, sympy.atanh, sympy.asech, sympy.acoth)
+PARTIAL = (*QUOTIENTS, *INVERSES, sympy.log, sympy.gamma, sympy.factorial, sympy.Mod)
 
 
 class Parts:
