@@ -101,14 +101,9 @@ def walker() -> Session:
     return Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
 
 
-REFUSED = pytest.mark.xfail(reason="the checker asks of the witness what no equation speaks of", strict=False)
-
-
 @pytest.mark.slow
 @pytest.mark.sampled(7)
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=REFUSED) if n == "accelerations_in_a_moving_frame" else n for n in ROADS]
-)
+@pytest.mark.parametrize("name", ROADS)
 def test_nothing_on_the_roads_is_searched_for(name: str, walker: Session, searched: list[str]) -> None:
     assert walk(ROADS[name], walker).arrives
     assert searched == []
