@@ -60,7 +60,7 @@ class Parts:
         """The parts of what is read as a whole: if it is real, nothing of it is dropped."""
         if expression.has(*OF_COMPLEX):
             return self(expression)
-        if expression.has(*PARTIAL):
+        if expression.has(*BY_SIGN) and expression.has(*PARTIAL):
             # A sign may be known without the functions in it that have no value everywhere.
             plain = expression.replace(lambda part: isinstance(part, sympy.Piecewise), lambda _: sympy.S.Zero)
             found = {f for part in plain.atoms(*BY_SIGN) for f in part.atoms(*PARTIAL) if f.free_symbols}
