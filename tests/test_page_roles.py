@@ -9,6 +9,7 @@ import pytest
 import chasles
 from chasles.pages.deduction import Deduction
 from chasles.pages.facts import divisors, facts_of, kind_in_meaning
+from chasles.pages.findings_told import told
 from chasles.pages.notes import EquationNote
 from chasles.pages.premises import Premises, balancing, chosen_rules
 from chasles.statements import Definition, Statement, rotation, unit
@@ -228,3 +229,61 @@ $$ B = A^{-1} R $$
 def test_a_letter_t_that_is_no_number_is_not_the_time() -> None:
     page = r"$$x(t) = t \cdot t$$ $$\frac{dx}{dt} = \dot{x}$$"
     assert [each.verdict for each in chasles.read(page, {"symbols": {"x": "scalar", "t": "vector"}}).equations]
+
+
+OF_TWO_SECTIONS = {
+    **dict.fromkeys((r"\mathbf{a}", r"\mathbf{b}", r"\mathbf{c}", r"\mathbf{v}", r"\mathbf{h}"), "vector"),
+    **dict.fromkeys(("E", "m", "k", "x", "y", "X", "Y", "Z", "f", "X'", "Y'"), "scalar"),
+    r"\mathbf{R}": "matrix",
+    r"\boldsymbol{\omega}": "vector",
+    r"\theta": "angle",
+}
+TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{bmatrix}"
+
+
+def of_sections(*equations: str) -> list[str]:
+    """What is told of equations of a section each."""
+    page = "\n".join(rf"\section{{S}} \begin{{equation}} {each} \end{{equation}}" for each in equations)
+    return [told(each) for each in chasles.read(page, {"symbols": OF_TWO_SECTIONS}, "tex").equations]
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (rf"\mathbf{{R}} = {TURN}", rf"\mathbf{{R}} = {TURN.replace('-', '')}"),
+        (r"E = \frac{1}{2} m y^2 + \frac{1}{2} k x^2", r"E = \frac{1}{2} m y^2 - \frac{1}{2} k x^2"),
+        (r"E = m y^2 + \frac{1}{2} k x^2", r"E = m y^3 + \frac{1}{2} k x^2"),
+        (r"m\dot{\mathbf{v}} = \boldsymbol{\omega} \times \mathbf{h} + k \mathbf{a}",
+         r"m\dot{\mathbf{v}} = \boldsymbol{\omega} \times \mathbf{h} - k \mathbf{a}"),
+        (r"\mathbf{c} = \mathbf{a} \times \mathbf{b} + k m \mathbf{v}",
+         r"\mathbf{c} = \mathbf{b} \times \mathbf{a} + k m \mathbf{v}"),
+    ],
+)  # fmt: skip
+def test_what_another_section_states_but_for_one_mark_is_told(one: str, other: str) -> None:
+    for first, second in ((one, other), (other, one)):
+        found = of_sections(first, second)
+        assert found[1].startswith("open: differs from (1) in one mark"), found
+        assert not any("differs" in each for each in of_sections(first, first))
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (r"x = \frac{1}{2} m y", r"x = -\frac{1}{2} m y"),  # of few letters: they are used again
+        (r"E = m y + k x + f X", r"E = m y + k x + f Y"),  # another letter
+        (r"E = m y + k x + f X", r"E = m y - k x - f X"),  # more than one mark
+        (r"E = m y + k x + f X", r"E = k x + f X + m y"),
+    ],
+)
+def test_what_another_section_says_of_other_letters_is_no_slip(one: str, other: str) -> None:
+    assert "differs" not in of_sections(one, other)[1]
+
+
+def test_an_equation_does_not_fail_by_a_later_one_where_one_between_says_what_is_true() -> None:
+    """An image that is upside down, and one that is not: its place is said of the second."""
+    inverted, upright = r"\frac{Z}{f} = -\frac{X}{X'} = -\frac{Y}{Y'}", r"\frac{Z}{f} = \frac{X}{X'} = \frac{Y}{Y'}"
+    said = r"X' = f\frac{X}{Z}, \quad Y' = f\frac{Y}{Z}"
+    page = "".join(rf"\[ {each} \] " for each in (inverted, upright, said))
+    assert "fails" not in [each.verdict for each in chasles.read(page, {"symbols": OF_TWO_SECTIONS}, "tex").equations]
+    page = "".join(rf"\[ {each} \] " for each in (inverted, said))
+    assert "fails" in [each.verdict for each in chasles.read(page, {"symbols": OF_TWO_SECTIONS}, "tex").equations]

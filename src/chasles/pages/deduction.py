@@ -37,6 +37,7 @@ from chasles.pages.other_kinds import doubt_of_falsity, doubt_of_reals, doubt_of
 from chasles.pages.premises import PosedEquation, Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
+from chasles.pages.restated import stated_otherwise
 from chasles.pages.unsaid_derivatives import UnsaidDerivatives
 from chasles.prover.certifying import proved
 from chasles.reading.prose import Lead
@@ -168,7 +169,7 @@ class Deduction:
         if sign in EQUAL and not (is_wrong or lead.is_local):
             self.premises.told.setdefault(number, []).append(claim)
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
-        self.premises.stated.append({left, right})
+        self.premises.stated.append(claim)
         if self._said_here[0] and (key := quantity(left)) is not None:
             self._said_here[1].setdefault(key, right)
         return finding
@@ -200,13 +201,14 @@ class Deduction:
             before, foretold = self.premises.copy(), len(self._foretold)
             finding = self._proof_ahead(claim, ahead)
         if finding is None:
-            new = (each.statement for each in list(self._foretold.values())[foretold:])
+            new = [each.statement for each in list(self._foretold.values())[foretold:]]
             is_example = any(isinstance(each, Statement) and _is_value(each) for each in new)
             finding = refuted(
                 claim,
                 before if is_example else self.premises,
                 self.session,
                 self.consequences,
+                (*self.premises.stated_before, *(ahead if new else ())),
                 told=role == "claim",
                 may_define=meant is not None,
             )
@@ -215,10 +217,15 @@ class Deduction:
             doubt = self._doubt(fails.statement, fails.instead, is_true=False)
             finding = with_fields(fails, open=True, doubt=doubt) if doubt else finding
         is_case = key is not None and (lead.is_other or self._said_here[1].get(key, claim.right) != claim.right)
-        if is_case and isinstance(finding.verdict, Fails):
-            return self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
+        is_false = isinstance(finding.verdict, Fails)
+        twin = stated_otherwise(claim, self.premises.stated_before) if finding.open or is_false else None
+        if twin or (is_case and is_false):
+            made = self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
+            against = (named(twin),) if twin and not is_case else ()
+            told = with_fields(made, verdict=finding.verdict, open=True, against=against, said_elsewhere=True)
+            return told if against else made
         if finding.said_elsewhere and not meant:
-            return with_fields(self._posed(claim, True, finding.verdict), instead=finding.instead)
+            return with_fields(self._posed(claim, True, finding.verdict), instead=finding.instead, said_elsewhere=True)
         if not finding.open or (finding.instead and not finding.verdict.true):
             return finding  # what is likely a slip is no premise of what follows
         if (lead.is_posed or lead.is_case) and not finding.doubt and not is_defining(claim):

@@ -17,7 +17,8 @@ class PageFinding:
     `given` are premises that a person says, and needs no more. The verdict of an `open` one says why it was not proved;
     where there is a `doubt`, it is found only if letters are what is proposed, and that says of which kind. It is open
     `unless` other claims of the page rest on the open equations named, under which it fails; what is true instead is
-    `said_elsewhere` where an open equation or another section says it: then it may as well be one of another case.
+    `said_elsewhere` where an open equation or another section says it: then that may as well be another case; it is
+    `against` the equation of another section that says the same but for one mark.
     """
 
     role: str

@@ -75,7 +75,9 @@ def _given(each: PageEquation) -> str:
 def _open(each: PageEquation) -> str:
     assert each.finding is not None
     if each.finding.said_elsewhere:
-        return f"open: a slip, unless it is another case than elsewhere on the page{_instead(each)}"
+        where = ", ".join(each.finding.against)
+        told = f"differs from {where} in one mark: one of them is a slip" if where else "a slip"
+        return f"open: {told}, unless it is another case than elsewhere on the page{_instead(each)}"
     if each.finding.instead and not each.finding.verdict.true:
         return f"open: likely a slip, but no point is known at which it fails{_instead(each)}"
     match each.finding.verdict:

@@ -38,7 +38,7 @@ class Premises:
 
     `definitions` has for each quantity what the page has said it to be, the last first, and None at the end if it was
     used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
-    all of these in their order, `stated` what each equation says, and `spoken` is what has occurred; a section has
+    all of these in their order, `stated` the equations, and `spoken` is what has occurred; a section has
     `begun` behind so many of what is posed, said and stated.
     On what is `relied` a proved claim rests. What is `moving` has a rate somewhere on the page. What is `told` under a
     name is true, or it is `unproved` by its own.
@@ -51,7 +51,7 @@ class Premises:
     said: list[Statement] = field(default_factory=list)
     posed: list[PosedEquation] = field(default_factory=list)
     spoken: set[Quantity] = field(default_factory=set)
-    stated: list[set[Node]] = field(default_factory=list)
+    stated: list[Claim] = field(default_factory=list)
     begun: tuple[int, int, int] = (0, 0, 0)
     relied: set[str] = field(default_factory=set)
     told: dict[str, list[Claim]] = field(default_factory=dict)
@@ -73,6 +73,11 @@ class Premises:
         """The open equations of this section that say what a symbol is."""
         here = {id(each) for each in self.said[self.begun[1] :]}
         return {(symbol, order): each for (symbol, order), each in self.opened.items() if id(each) in here}
+
+    @property
+    def stated_before(self) -> list[Claim]:
+        """The equations of earlier sections."""
+        return self.stated[: self.begun[2]]
 
     def said_before(self, key: Quantity) -> Statement | None:
         """What an earlier section says that a quantity is, where this one does not say it."""

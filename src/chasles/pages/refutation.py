@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
@@ -39,9 +40,18 @@ def expanded(claim: Claim, premises: Premises, session: Session) -> PageFinding:
 
 
 def refuted(
-    claim: Claim, premises: Premises, session: Session, consequences: Consequences, told: bool, may_define: bool
+    claim: Claim,
+    premises: Premises,
+    session: Session,
+    consequences: Consequences,
+    elsewhere: Sequence[Claim],
+    told: bool,
+    may_define: bool,
 ) -> PageFinding:
-    """The finding on a claim that is not proved: it fails, or is open; one that may define tells no point then."""
+    """The finding on a claim that is not proved: it fails, or is open; one that may define tells no point then.
+
+    It does not fail if what is true instead is stated `elsewhere`.
+    """
     rules = chosen_rules(claim.printed, premises.defined())
     unit = imaginary_unit((*claim.printed, *(rule.right for rule in rules.values())))
     if unit is not None:
@@ -53,14 +63,16 @@ def refuted(
     may_fail = is_asked and not (of_its_own or is_said_anew or is_defining(claim))
     is_false = consequences.may_follow(*claim.printed, rules) is False
     nothing: tuple[None, None, Known] = None, None, ({}, ())
-    instead, unsure, known = _instead(claim, premises, session, consequences) if is_asked and is_false else nothing
+    instead, unsure, known = (
+        _instead(claim, premises, session, consequences, elsewhere) if is_asked and is_false else nothing
+    )
     attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not may_fail)
     if is_open and may_define:
         return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
     is_brief = is_open and is_false and not told
     verdict = verdict_on(attempt, session, OF_SLIP if instead else BRIEF if is_brief else FEW_TERMS)
     if may_fail and not is_false and isinstance(verdict, Fails):
-        instead, unsure, known = _instead(claim, premises, session, consequences)
+        instead, unsure, known = _instead(claim, premises, session, consequences, elsewhere)
     again = unsure is not None and "" in unsure
     left_open = PageFinding("claim", verdict, claim, open=True, instead=instead, said_elsewhere=again)
     if not isinstance(verdict, Fails) or not (told or (instead and may_fail and not again)) or of_its_own:
@@ -98,11 +110,11 @@ def _is_new_value(claim: Claim) -> bool:
 
 
 def _instead(
-    claim: Claim, premises: Premises, session: Session, consequences: Consequences
+    claim: Claim, premises: Premises, session: Session, consequences: Consequences, elsewhere: Sequence[Claim]
 ) -> tuple[Repair | None, frozenset[str] | None, Known]:
     """A true equation but for one slip under what the page says, on which open equations that rests, and under what.
 
-    One of these over again, or what another section says, is as well one of another case: the claim never fails then.
+    One of these over again, or what is stated elsewhere, is as well one of another case: the claim never fails then.
     """
     for known in known_of(claim, premises):
         if consequences.may_follow(*claim.printed, *known):
@@ -112,7 +124,8 @@ def _instead(
             rules, posed = consequences.least(found.left, found.right, *known)
             opened = [rule for rule in rules.values() if rule in premises.opened.values()]
             said = [{each.left, each.right} for each in posed if each.open] + [{*rule.printed} for rule in opened]
-            again = [""] if {found.left, found.right} in said + premises.stated[: premises.begun[2]] else []
+            said += [{*each.printed} for each in elsewhere]
+            again = [""] if {found.left, found.right} in said else []
             names = (*map(named, opened), *(each.hypothesis.text for each in posed if each.open))
             return found, frozenset([*again, *names]), known
     return None, None, ({}, ())
