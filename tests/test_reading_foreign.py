@@ -779,3 +779,54 @@ def test_letters_in_braces_of_their_own_are_columns() -> None:
     assert not any(
         part.fault for each in read_equations(equations, load_notation(text)) for part in each.readings[0].parts
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "verdicts"),
+    [
+        (r"r = \text{atan}(h) = \arctan(h)", ["defined", "holds"]),
+        (r"r = \operatorname{acos}(h) = \arccos h", ["defined", "holds-under"]),
+        (r"r = 2 \mathrm{asin}\frac{h}{2} = 2 \arcsin\frac{h}{2}", ["defined", "holds-under"]),
+        (r"r = \text{atan2}(h, GM)", ["defined"]),
+        (r"r = 2atan2(h, GM) = 2\operatorname{atan2}(h, GM)", ["defined", "holds-under"]),
+        (r"r = \sin(h, GM)", ["unread"]),
+        (r"r = \sec(h, GM)", ["unread"]),
+        (r"r = \ln(h, GM)", ["unread"]),
+    ],
+)
+def test_functions_of_one_number_and_of_two(text: str, verdicts: list[str]) -> None:
+    assert [each.verdict for each in chasles.read(text, NOTATION).equations] == verdicts
+
+
+SIZES = {"symbols": {"P": {"is": "matrix", "size": 4}, "R": "matrix", **dict.fromkeys("xyz", "scalar")}}
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (r"P = \left(\begin{array}{ccc|c} & & & x \\ & R & & y \\ & & & z \\ \hline 0 & 0 & 0 & 1 \end{array}\right)",
+         "defined"),
+        (r"\det\begin{pmatrix} x & & \\ & y & \\ & & z \end{pmatrix} = x y z", "holds"),  # of these the rest is zero
+        (r"\begin{pmatrix} & x \\ y & \end{pmatrix} = \begin{pmatrix} 0 & x \\ y & 0 \end{pmatrix}", "defined"),
+        (r"P = \begin{pmatrix} x & y \\ z \\ x \end{pmatrix}", "unread"),
+        (r"\left(P \otimes R\right) x = x \left(P \otimes R\right)", "holds"),
+        (r"P \otimes R = R \otimes P", "defined"),
+        (r"P \otimes w = x", "unread"),
+        (r"R \otimes = x", "unread"),
+    ],
+)  # fmt: skip
+def test_a_matrix_with_places_left_out_and_a_product_of_kronecker_are_quantities_of_their_own(
+    text: str, verdict: str
+) -> None:
+    assert [each.verdict for each in chasles.read(rf"\[ {text} \]", SIZES, "tex").equations] == [verdict]
+
+
+@pytest.mark.parametrize("size", [3, 4])
+def test_a_letter_that_the_page_goes_on_to_use_and_a_quantity_of_its_own_are_no_slips(size: int) -> None:
+    r"""What T p stands for is not said: its derivative is one of its own, or that of a product."""
+    page = r"J = \frac{\partial (T p)}{\partial p} = \frac{\partial (R p + t)}{\partial p} = R"
+    matrices = {"J": "matrix", "R": "matrix", "T": {"is": "matrix", "size": size}}
+    letters = {"symbols": {**matrices, "p": "vector", "t": "vector"}, "page": {"proposed": True}}
+    found = chasles.read(page, letters).equations
+    assert not any(each.finding and each.finding.instead for each in found), found
+    assert found[1].verdict in ("open", "defined")

@@ -134,7 +134,11 @@ def read_page(
     session, is_complex = Session(WORK, memory=known.memory), imaginary_unit(sides) is not None
     printed_rates = (quantity(part) for side in sides for part in walk(side))
     moving = frozenset(key[0] for key in printed_rates if key and key[1])
-    premises = Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))), moving=moving)
+    usual = (dict.fromkeys(each.readings[0].sides) for each in equations if each.readings)
+    used = Counter(symbol for each in usual for side in each for symbol in symbols_in((side,)))
+    recurring = frozenset(symbol for symbol, count in used.items() if count > 1)
+    facts = cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol)))
+    premises = Premises(facts, moving=moving, recurring=recurring)
     deduction = Deduction(premises, session, notation.proposed, is_complex, known.may_follow)
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):

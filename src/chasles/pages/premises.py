@@ -40,7 +40,8 @@ class Premises:
     used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
     all of these in their order, `stated` the equations, and `spoken` is what has occurred; a section has
     `begun` behind so many of what is posed, said and stated.
-    On what is `relied` a proved claim rests. What is `moving` has a rate somewhere on the page. What is `told` under a
+    On what is `relied` a proved claim rests. What is `moving` has a rate somewhere on the page, what is `recurring`
+    stands in several sides of its equations. What is `told` under a
     name is true, or it is `unproved` by its own.
     """
 
@@ -57,6 +58,7 @@ class Premises:
     told: dict[str, list[Claim]] = field(default_factory=dict)
     unproved: set[str] = field(default_factory=set)
     moving: frozenset[Symbol] = frozenset()
+    recurring: frozenset[Symbol] = frozenset()
     resting: dict[Symbol, PosedEquation] = field(default_factory=dict)
 
     def begin_section(self) -> None:

@@ -22,6 +22,7 @@ from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import in_words, one_mark_away
 from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities
 from chasles.pages.quantities import quantities, quantity
+from chasles.reading.fits import OF_ITS_OWN
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
@@ -100,7 +101,8 @@ def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises, sho
 
     In what was shown before no letter is changed. Another letter, or another term, may make any condition true; of a
     side that is one product of two letters it leaves too little to say that this was meant. A new letter was not meant
-    for one that differs from it by its marks alone, nor a function for its values.
+    for one that differs from it by its marks alone, nor a function for its values, nor a quantity of its own for any,
+    nor is one that the page goes on to use a slip.
     """
     before, after = _symbols(claim.printed), _symbols(sides)
     if before == after:
@@ -113,6 +115,8 @@ def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises, sho
     spoken = {symbol for symbol, _ in premises.spoken}
     if is_one_letter:
         (new,), (old,) = before - after, after - before
+        if OF_ITS_OWN in (new.meaning, old.meaning) or new in premises.recurring - spoken:
+            return False
         is_bare = old.letter.startswith(f"{new.letter}(") or new.letter.startswith(f"{old.letter}(")
         if is_bare or (new not in spoken and MARKS.split(w.plain(new))[0] == MARKS.split(w.plain(old))[0]):
             return False

@@ -9,7 +9,10 @@ TEXT_STYLES = {r"\textbf": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf"}
 NAMES_OF_ANGLES = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
 PLAIN_NAMES = {
     **{name: rf"\{name}" for name in (*NAMES_OF_ANGLES, "arcsin", "arccos", "arctan", "exp", "log")},
-    **{name: rf"\operatorname{{{name}}}" for name in ("asin", "acos", "atan", "sqrt", "abs", "max", "min")},
+    **{
+        name: rf"\operatorname{{{name}}}"
+        for name in ("asin", "acos", "atan", "atan2", "arctan2", "sqrt", "abs", "max", "min")
+    },
 }
 """Functions that are typed as letters side by side, before brackets, or where that can be nothing else."""
 OPTIONAL_ARGUMENT = ("aligned", "alignedat", "array", "gathered", "split", "tabular")

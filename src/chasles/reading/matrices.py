@@ -9,6 +9,7 @@ from itertools import islice, product
 from chasles.reading.atoms import Atom, Atoms, Terms, single
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, UNUSUAL, Fit, Shape
+from chasles.reading.glyphs import latex_of
 from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.pieces import Precedence
@@ -27,9 +28,11 @@ def grid_fits(grid: Atom, ctx: FittingContext, read: Callable[[Atoms, FittingCon
     if len(rows) == width > 1 and all(row[at:] and row[at] for at, row in enumerate(rows)):  # what is left out is zero
         zero = (single(grid.place._replace(text="0")),)
         rows = tuple(tuple(cell or zero for cell in (*row, *[()] * (width - len(row)))) for row in rows)
-    if not rows or not all(len(row) == width and all(row) for row in rows):
-        ctx.note("the rows of the matrix differ in length, or an entry is empty", grid.place)
+    if not rows or not all(len(row) == width for row in rows):
+        ctx.note("the rows of the matrix differ in length", grid.place)
         return []
+    if not all(map(all, rows)):  # zeros, or places of a block beside them
+        return ctx.of_its_own(latex_of(grid.bare))
     fits = block_fits([[read(cell, ctx) for cell in row] for row in rows], ctx)
     if name != "vmatrix":
         return fits

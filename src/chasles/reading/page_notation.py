@@ -138,17 +138,19 @@ def usual_spellings(notation: PageNotation) -> None:
         one = name not in ("max", "min")
         make: Make = lambda *of, name=name: FunctionOf(name, of)  # noqa: E731
         if name != "atan2":
-            spellings.add(form if "#" in form else f"{form}(#)", make if not one else lambda of, make=make: make(of))
+            spellings.add(form if "#" in form else f"{form}(#)", make if not one else lambda of, *, make=make: make(of))
     for name in ("sin", "cos"):
-        spellings.add(rf"\{name}(#)", lambda of, name=name: Call(name, of))
+        spellings.add(rf"\{name}(#)", lambda of, *, name=name: Call(name, of))
     spellings.add(r"\exp(#)", exponential)
     spellings.add(r"\operatorname{Exp}(#)", exponential)
     spellings.add(r"\log(#)", lambda of: FunctionOf("log", (of,)))
+    for form, name in {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "arctg": "arctan"}.items():
+        spellings.add(rf"\operatorname{{{form}}}(#)", lambda of, *, name=name: FunctionOf(name, (of,)))
     for name in (r"\arctan", *(rf"\operatorname{{{each}}}" for each in ("atan2", "arctan2", "atan", "arctg"))):
         spellings.add(f"{name}(#, #)", atan2)
     for name in RATIOS:
         command = name if name in COMMANDS else f"operatorname{{{name}}}"
-        spellings.add(rf"\{command}(#)", lambda of, name=name: _quotient(name, of))
+        spellings.add(rf"\{command}(#)", lambda of, *, name=name: _quotient(name, of))
     spellings.add(r"\det(#)", Determinant)
     for name in ("Tr", "trace", "Trace"):
         spellings.add(rf"\operatorname{{{name}}}(#)", Trace)

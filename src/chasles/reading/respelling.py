@@ -243,6 +243,8 @@ class _Respelling:
         run = text
         while len(self.ahead(len(run) - 1)) == 1 and self.ahead(len(run) - 1).isalpha():
             run += self.ahead(len(run) - 1)
+        if self.ahead(len(run) - 1) == "2" and f"{run}2" in commands.PLAIN_NAMES:
+            run += "2"
         behind = next((each for k in (0, 1) if (each := self.ahead(len(run) - 1 + k)) != " "), "")
         is_argument = behind == "(" or behind in commands.DELIMITER_SIZES
         if run in commands.NAMES_OF_ANGLES:

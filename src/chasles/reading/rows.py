@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, product
 
 from chasles.reading.applying import applied, made_of
 from chasles.reading.atoms import Atom, Atoms
@@ -14,6 +14,7 @@ from chasles.reading.expanding import OPEN, TOTALS, end_of_total, takes_all, tot
 from chasles.reading.factors import factors, is_argument, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, in_latex, joined, letter_of, text_of_row
+from chasles.reading.grammar import NAMING
 from chasles.reading.page_functions import lists_letters
 from chasles.reading.products import times
 from chasles.reading.spellings import Make, called, multiplied
@@ -44,13 +45,13 @@ def _signed(pieces: Atoms, ctx: FittingContext) -> list[Fit]:
     for rank, cut in enumerate(sorted(cuts, key=lambda k: (texts[k] == "/", -k))):
         usual = rank * step
         sign, left, right = pieces[cut], pieces[:cut], pieces[cut + 1 :]
-        if not left or not right:
+        makes = ctx.notation.spellings.infixes.get(sign.text, [])
+        if not right or not (left or (sign.text in NAMING and not makes and ctx.notation.proposed)):
             ctx.note(f"{sign.text} has nothing on one side", sign.place)
             return []
         if sign.text == "/":
             found += _stroke(left, right, usual, ctx)
             continue
-        makes = ctx.notation.spellings.infixes.get(sign.text, [])
         if sign.text == "*" and _has_value(pieces, ctx):
             ctx.note("* between functions may be a convolution", sign.place)
             return []
@@ -59,9 +60,10 @@ def _signed(pieces: Atoms, ctx: FittingContext) -> list[Fit]:
         if not makes:
             ctx.note(f"no word for {sign.text}", sign.place)
             return []
-        for one in _signed(left, ctx):
-            for other in _signed(right, ctx):
-                found += _infix(makes, one, other, sign, usual, ctx)
+        pairs = [*product(_signed(left, ctx), _signed(right, ctx))]
+        found += (fit for one, other in pairs for fit in _infix(makes, one, other, sign, usual, ctx))
+        if pairs and not found and sign.text in NAMING:  # it has another meaning, too: that of Kronecker
+            return ctx.of_its_own(in_latex(text_of_row(pieces)))
     return kept(found)
 
 
