@@ -9,10 +9,11 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from sympy import Rational, acos, asin, atan, cos, cosh, erf, exp, floor, log, pi, sin, sinh, sqrt, tanh
+from sympy import Rational, acos, asin, atan, atanh, cos, cosh, erf, exp, floor, log, pi, sin, sinh, sqrt, tanh
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.visible import signs_of
+from chasles.from_sympy.sufficient import of_values
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 
@@ -191,7 +192,7 @@ def test_what_a_case_needs_is_said_of_no_other_quantity_with_the_name_of_one_of_
 @pytest.mark.parametrize(
     ("claim", "name"),
     [
-        (sp.Implies(x > 1, x**2 > 1), "holds"),
+        (sp.Implies(x > 1, x**2 > 1), "holds-under"),
         (sp.Implies(x**2 > 1, x > 1), "fails"),
         (sp.Implies(sp.Eq(x, 1), sp.Eq(x**2, 1)), "holds-under"),
         (sp.Or(sp.Eq(x, 0), x**2 > 0), "holds"),
@@ -352,6 +353,89 @@ def test_what_follows_from_another_claim_is_proved_by_that(claim: Any, given: An
     verdict = prove(claim, given=given)
     assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
     recheck(verdict, claim, given=given)
+
+
+def _within(low: Any, high: Any, *symbols: Any) -> list[Any]:
+    return [relation for symbol in symbols for relation in (symbol > low, symbol < high)]
+
+
+OF_VALUES: list[tuple[Any, Any, list[Any], bool]] = [
+    (x, y, [sp.Eq(sin(x), sin(y)), *_within(-pi / 2, pi / 2, x, y)], True),
+    (x, y, [sp.Eq(sinh(x), sinh(y))], True),
+    (x, y, [sp.Eq(atan(x), atan(y))], True),
+    (sp.Implies(sp.Eq(asin(x), asin(y)), sp.Eq(x, y)), None, [], True),
+    (x, atan(2), [sp.Eq(sp.tan(x), 2), *_within(-pi / 2, pi / 2, x)], True),
+    (sp.Abs(x), sp.Abs(y), [sp.Eq(cosh(x), cosh(y))], True),
+    (x < y, None, [sp.tan(x) < sp.tan(y), *_within(-pi / 2, pi / 2, x, y)], True),
+    (x, y, [sp.Eq(sp.tan(x), sp.tan(y)), *_within(-pi / 2, pi, x, y)], False),
+    (x, y, [sp.Eq(cosh(x), cosh(y))], False),
+    (x, y, [sp.Eq(sin(x), sin(y)), *_within(0, pi, x, y)], False),
+    (y, x + 1, [sp.Eq(sinh(x), sinh(y))], False),
+    (x, y, [sp.Eq(log(x**2), log(y**2))], False),  # under x > 0 and y > 0 it would be true
+    (x, y, [sp.Eq(log(x), log(y))], True),
+]
+
+
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize(("left", "right", "given", "true"), OF_VALUES, ids=str)
+def test_arguments_are_compared_by_values_where_a_function_rises(left: Any, right: Any, given: Any, true: bool) -> None:
+    verdict = prove(left, right, given)
+    assert isinstance(verdict, Holds | HoldsUnder) == true
+    if not true:
+        return
+    recheck(verdict, left, right, given)
+    if isinstance(verdict, HoldsUnder):
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, needs=()), left, right, given)
+    if right is not None:
+        with pytest.raises(Rejected):
+            recheck(verdict, left, right + 1, given)
+        with pytest.raises(ValueError, match="no theorem"):
+            verdict.coq("of_values")
+
+
+def test_arguments_of_values_that_are_not_where_it_rises_prove_nothing() -> None:
+    [claim] = of_values(sp.Eq(x, y), [sp.Eq(sin(x), sin(y))])
+    assert set(claim.args) > {-pi / 2 <= x, y <= pi / 2}
+    assert not [*of_values(sp.Eq(x, 2), [sp.Eq(sin(x), 1)])]  # 2 is more than pi/2
+    assert not [*of_values(sp.Eq(x, 2), [sp.Eq(atanh(x), 1)])]  # and has no inverse hyperbolic tangent
+    assert not [*of_values(sp.Eq(x, sp.I), [sp.Eq(sinh(x), 1)])]
+    stronger = Fails(Counterexample({"x": Fraction(4), "y": Fraction(4)}, (1, 1), "0", "1"))
+    with pytest.raises(Rejected):
+        recheck(stronger, x, y, [sp.Eq(sin(x), sin(y))])
+
+
+GIVEN_LOGARITHMS: list[tuple[Any, list[Any], bool]] = [
+    (log(p) > 0, [log(p) > 1], True),
+    (log(x) > 0, [log(x) > 1], True),
+    (x > 2, [log(x) > 1], True),
+    (p < 3, [log(p) < 1], True),
+    (x > 3, [log(x) > 1], False),
+    (x > -1, [log(x) < 1, x > -2], True),
+    (p < 2, [log(p) < 1], False),
+]
+
+
+@pytest.mark.parametrize(("claim", "given", "true"), GIVEN_LOGARITHMS, ids=str)
+def test_what_is_given_of_a_logarithm_says_where_it_is_real(claim: Any, given: list[Any], true: bool) -> None:
+    try:
+        verdict = prove(claim, given=given)
+    except Untreatable:
+        return
+    assert isinstance(verdict, Holds | HoldsUnder | Undecided if true else Fails)
+    if not isinstance(verdict, Undecided):
+        recheck(verdict, claim, given=given)
+
+
+def test_what_is_said_of_a_symbol_between_bounds_is_needed() -> None:
+    """Also where it cancels, or SymPy sees that the claim follows."""
+    for claim, given in ((x > 3, [x > 3]), (x >= 3, [x > 3]), (x + y > 2, [x > 3, y > 0]), (y > -1, [x < y, x > 0])):
+        verdict = prove(claim, given=given)
+        assert isinstance(verdict, HoldsUnder)
+        assert any("d_1" in need for need in verdict.needs)
+        recheck(verdict, claim, given=given)
+        with pytest.raises(Rejected):
+            recheck(Holds(verdict.certificate, verdict.witness), claim, given=given)
 
 
 def test_a_name_has_all_values_of_what_it_names() -> None:

@@ -7,9 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from sympy import Eq, I, Product, Sum, binomial, cos, exp, factorial, log, sin, sqrt, symbols
+from sympy import Abs, Eq, I, Product, Sum, binomial, cos, exp, factorial, log, sin, sqrt, symbols
 
 from chasles import prove
+from chasles.checker.expressions.induction import letters_of, steps
 from chasles.prove import Rejected, Untreatable, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
@@ -157,3 +158,57 @@ def outcome(claim: Any) -> Any:
         return prove(claim)
     except Untreatable:
         return None
+
+
+k = symbols("k", integer=True)
+j = symbols("j", integer=True)
+COUNTED: list[tuple[Any, Any, list[Any], bool]] = [
+    (2**k > k, None, [k >= 0], True),
+    (k <= factorial(k), None, [k >= 0], True),
+    (2**k <= factorial(k), None, [k >= 4], True),
+    (k**2 < 2**k, None, [k >= 5], True),
+    ((1 + x) ** k >= 1 + k * x, None, [x >= -1, k >= 0], True),
+    (Sum(1 / (i * (i + 1)), (i, 1, k)), k / (k + 1), [k >= 1], True),
+    (Sum(i * factorial(i), (i, 1, k)), factorial(k + 1) - 1, [k >= 1], True),
+    (2**k <= factorial(k), None, [k >= 3], False),
+    (k**2 < 2**k, None, [k >= 4], False),
+    ((1 + x) ** k >= 1 + k * x, None, [k >= 0], False),
+    (Sum(1 / (i * (i + 1)), (i, 1, k)), (k + 1) / (k + 3), [k >= 1], False),
+]
+
+
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize(("claim", "value", "given", "true"), COUNTED, ids=str)
+def test_an_integer_counts_from_where_it_is_given_to_be(claim: Any, value: Any, given: list[Any], true: bool) -> None:
+    verdict = prove(claim, value, given)
+    assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
+    recheck(verdict, claim, value, given)
+    if isinstance(verdict, HoldsUnder):
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, needs=()), claim, value, given)
+    if true:
+        with pytest.raises((Rejected, Untreatable)):
+            recheck(verdict, claim, value)
+
+
+def test_a_product_downwards_is_not_more_than_one() -> None:
+    """Up to m - 3 the product of 2 is 1/8 where m is zero."""
+    downwards = m * Product(2, (j, 1, m - 3)) >= m
+    assert not isinstance(outcome(downwards), Holds | HoldsUnder)
+    question = (Abs(downwards.gts - downwards.lts), downwards.gts - downwards.lts, [], [])
+    _, _, (left, *_) = steps(question, m, "s")
+    (symbol,) = {s for s in left.free_symbols if str(s).startswith("s_")}
+    assert symbol.is_nonnegative is None
+    upwards = Product(2, (j, 1, m)) - 1
+    _, _, (left, *_) = steps((Abs(upwards), upwards, [], []), m, "s")
+    (symbol,) = {s for s in left.free_symbols if str(s).startswith("s_")}
+    assert symbol.is_nonnegative
+
+
+def test_what_is_given_of_a_letter_is_no_step() -> None:
+    """An equation that only says what a symbol is plays no part; one that ties a letter to what is spoken of does."""
+    question = (Sum(q / (i * (i + 1)), (i, 1, n)), n / (n + 1))
+    assert letters_of((*question, [Eq(z, n + 3)], [])) == [n]
+    assert not letters_of((*question, [Eq(q, n)], []))
+    assert not letters_of((*question, [Eq(z, n + 3), Eq(q, z)], []))
+    assert not letters_of((*question, [z < n], []))

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from math import inf
 from time import monotonic
 from typing import Any
 
+import sympy
 from sympy.polys.polyerrors import BasePolynomialError
 
 from chasles.algebra.work_limit import OutOfTime, within
@@ -17,15 +19,15 @@ from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.components import claimed, is_implication, without_implication
+from chasles.from_sympy.components import claimed, is_implication, relation_of, without_implication
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_possible
-from chasles.from_sympy.induction import stepwise
-from chasles.from_sympy.inequalities import Said, definitions
+from chasles.from_sympy.induction import counts
+from chasles.from_sympy.inequalities import COMPARED, Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt
-from chasles.from_sympy.sufficient import where_it_rises, with_name
+from chasles.from_sympy.sufficient import of_values, where_it_rises, with_name
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
@@ -93,30 +95,41 @@ def prove(
 
 
 def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, Any]]:
-    """How else a claim is read: an implication as a whole, for its premise may not hold; an inequality by others."""
+    """How else a claim is read: an implication as a whole, for its premise may not hold; a relation by others."""
     if is_implication(lhs, rhs, given):
         yield {"whole": True}
-    claim = without_implication(lhs, given)[0]
-    for said in (plainer, stepwise, with_name, where_it_rises) if rhs is None else ():
-        with suppress(RecursionError, Rejected, *FAILURES):
-            if said(claim) is not claim:
-                yield {"other": said}
+    with suppress(RecursionError, Rejected, *FAILURES):
+        claim, given = without_implication(relation_of(lhs, rhs), given)
+        if isinstance(claim, COMPARED) and any(map(counts, claim.atoms(sympy.Pow, sympy.factorial))):
+            yield {"counted": True}
+        for said in (plainer, with_name, where_it_rises) if rhs is None else ():
+            with suppress(RecursionError, Rejected, *FAILURES):
+                if said(claim) is not claim:
+                    yield {"other": said}
+        for sufficient in of_values(claim, given):
+            yield {"other": partial(_instead, sufficient)}
+
+
+def _instead(sufficient: Any, _claim: Any) -> Any:
+    return sufficient
 
 
 def _only_proves(way: Mapping[str, Any]) -> bool:
     """Whether a claim that is read so follows from what is read, and not the other way round."""
-    return way.get("other") in (with_name, where_it_rises)
+    return way.get("other") not in (None, plainer)
 
 
 def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: Any) -> Verdict:
     """The verdict on a claim as it is read in one way."""
     try:
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
-        said = as_said(exact, lhs, rhs, given, nonzero, **way)
+        said = _said(way, exact, lhs, rhs, given, nonzero)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         with within(seconds=budget):
-            ways = [(verdict_at_any_size, said)] if of_any_size else zip(WAYS, readings_of(calls.said), strict=False)
+            counted = "counted" in way
+            readings = zip(WAYS[:1] * 2 if counted else WAYS, readings_of(calls.said, counted), strict=False)
+            ways = [(verdict_at_any_size, said)] if of_any_size else readings
             verdict, asked = _first_decided(ways, calls)
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
@@ -134,7 +147,17 @@ def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: 
     if used and not isinstance(verdict, Fails):
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
-    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, way.get("whole", False))))
+    lhs, rhs = (relation_of(lhs, rhs), None) if "other" in way else (lhs, rhs)
+    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, **_worded(way))))
+
+
+def _said(way: Mapping[str, Any], exact: bool, *asked: Any) -> tuple[Any, ...]:
+    return as_said(exact, *asked, **_worded(way))
+
+
+def _worded(way: Mapping[str, Any]) -> dict[str, Any]:
+    """How a claim is worded, whether or not its powers are products."""
+    return {how: said for how, said in way.items() if how != "counted"}
 
 
 def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: Calls) -> tuple[Verdict, Said]:
@@ -154,6 +177,8 @@ def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: C
             if not isinstance(verdict, Undecided):
                 return verdict, asked
             left.append((verdict, asked))
+    if not left:
+        raise Untreatable("nothing is a product up to an integer")
     found, asked = left[0]
     if isinstance(found, Untreatable):
         raise found
@@ -183,13 +208,13 @@ def recheck(
         if isinstance(verdict, Fails) and _only_proves(way):
             continue
         try:
-            return _recheck(verdict, as_said(exact, lhs, rhs, given, nonzero, **way))
+            return _recheck(verdict, _said(way, exact, lhs, rhs, given, nonzero), "counted" in way)
         except (Untreatable, Rejected) as reason:
             reasons.append(reason)
     raise Rejected(str(reasons[0])) from None
 
 
-def _recheck(verdict: Verdict, said: Said) -> None:
+def _recheck(verdict: Verdict, said: Said, counted: bool) -> None:
     if has_letters_for_sizes(expressions_in(said)):
         with well_formed("verdict"):
             check_at_any_size(verdict, *said)
@@ -198,7 +223,7 @@ def _recheck(verdict: Verdict, said: Said) -> None:
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
         raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
     reasons = []
-    for asked in readings_of(calls.said):
+    for asked in readings_of(calls.said, counted):
         try:
             with well_formed("verdict"):
                 _check_reading(verdict, [*definitions(said, asked), *calls.defined], asked)
@@ -206,7 +231,7 @@ def _recheck(verdict: Verdict, said: Said) -> None:
             return
         except Rejected as reason:
             reasons.append(reason)
-    raise reasons[0]
+    raise reasons[0] if reasons else Rejected("nothing is a product up to an integer")
 
 
 def _check_reading(verdict: Holds | HoldsUnder | Fails, equations: Iterable[str], asked: Said) -> None:

@@ -30,7 +30,7 @@ def expanded(node: w.Node, of: Callable[[w.Node], Matrix], number: Callable[[int
         case w.Zero(rows, columns):
             return [[number(0)] * columns] * rows
         case w.Sum(terms):
-            return reduce(_plus, map(of, terms))
+            return [[reduce(add, x) for x in zip(*row, strict=True)] for row in zip(*map(of, terms), strict=True)]
         case w.Negative(term):
             return [[-entry for entry in row] for row in of(term)]
         case w.Scale(factor, term):
@@ -63,10 +63,6 @@ def expanded(node: w.Node, of: Callable[[w.Node], Matrix], number: Callable[[int
             return [[cofactor(m, i, j, number(1)) for j in range(len(m))] for i in range(len(m))]
         case _:
             raise Formless(f"{node} ({type(node).__name__}) has no polynomial form")
-
-
-def _plus(left: Matrix, right: Matrix) -> Matrix:
-    return [[a + b for a, b in zip(one, other, strict=True)] for one, other in zip(left, right, strict=True)]
 
 
 def _times(left: Matrix, right: Matrix) -> Matrix:

@@ -29,7 +29,7 @@ from chasles.coq.sentences import NOW, Claimed, claiming, equal_rates, holding, 
 from chasles.coq.turns import inverse, turned
 from chasles.from_sympy.components import sides_of
 from chasles.from_sympy.monotone import plainer
-from chasles.from_sympy.sufficient import where_it_rises, with_name
+from chasles.from_sympy.sufficient import of_values, where_it_rises, with_name
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
@@ -76,7 +76,7 @@ def as_theorem(
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
-        if claimed is not None and _follows(claimed) and sides_of(claimed)[0] not in (lhs, *lhs.args):
+        if claimed is not None and _follows(claimed, lhs):
             raise Unsaid("no proof is written of what follows from another claim, as by an increasing function")
         question = as_asked((lhs, rhs, given, nonzero))
         needs = tuple(need for need in verdict.needs if need not in question.spelled)
@@ -97,9 +97,13 @@ def as_theorem(
     return replace(claim, said=said, proof=proof)
 
 
-def _follows(claim: Any) -> bool:
-    """Whether a claim may have been proved by one in other words."""
-    return any(said(claim) is not claim for said in (plainer, with_name, where_it_rises))
+def _follows(claim: Any, left: Any) -> bool:
+    """Whether a claim was proved by one in other words, with another left side."""
+    if isinstance(claim, sympy.Equality):
+        return True
+    others = any(said(claim) is not claim for said in (plainer, with_name, where_it_rises))
+    others = others or next(of_values(claim, [sympy.Eq(left, 0, evaluate=False)]), None) is not None
+    return others and sides_of(claim)[0] not in (left, *left.args)
 
 
 def _steps(said: ScalarStatement, certificate: Mapping[str, Any]) -> Iterable[str]:

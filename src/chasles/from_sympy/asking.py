@@ -54,10 +54,11 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     elementary = Elementary()
     expressions = _rewritten(elementary, expressions, conditions)
     first, size = len(declared), left.shape[0] * left.shape[1]
-    logs = any(side.has(*elementary.logs) for item in conditions.equations for pair in item.pairs for side in pair)
+    given_sides = [side for item in conditions.equations for pair in item.pairs for side in pair]
+    logs, arcs = (any(side.has(*words) for side in given_sides) for words in (elementary.logs, elementary.arcs))
     for k, place in enumerate(product(range(left.shape[0]), range(left.shape[1]))):
         sides = expressions[first + k], expressions[first + k + size]
-        if cosine := turned(*sides, elementary.arcs):
+        if not arcs and (cosine := turned(*sides, elementary.arcs)):
             expressions[first + k], expressions[first + k + size] = cosine[0], sympy.S.One
             elementary.halvings[place] = cosine[1]
         elif not logs and (raised := elementary.exponentials(sides[0] - sides[1])):

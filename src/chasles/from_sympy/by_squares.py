@@ -70,8 +70,8 @@ def _impossible(ring: Ring, basis: Basis, stated: list[Polynomial], signs: Signs
     if len(places) > MOST_VARIABLES or degree > LARGEST_DEGREE:
         return None
     slopes = [slope for polynomial in stated for slope in _slopes(ring, polynomial)]
-    for most, half in ((2, 1), (1, 2), (3, 1), (2, (degree + 1) // 2)):
-        weighed = _weighed(ring, places, signs, most, half, max(degree, 2))
+    for most, half, more in ((2, 1, 0), (1, 2, 0), (3, 1, 0), (2, (degree + 1) // 2, 0), (2, 1, 1)):
+        weighed = _weighed(ring, places, signs, most, half, max(degree, 2) + more)
         weighed += [(ring.constant(Fraction(1)), slope, False) for slope in slopes]
         if len(weighed) <= MOST_CANDIDATES and (found := _combined(ring, basis, weighed)):
             return found

@@ -113,10 +113,16 @@ def without_implication(claim: Any, given: Any) -> tuple[Any, Any]:
     return (claim.args[1], [*given, claim.args[0]]) if is_implication(claim, None, given) else (claim, given)
 
 
-def claimed(lhs: Any, rhs: Any, given: Any, whole: bool = False) -> Any:
-    """The inequality, or what joins several relations, for which two sides stand; None for an equation."""
+def relation_of(lhs: Any, rhs: Any) -> Any:
+    """The relation that is claimed: two sides that are scalars are said to be equal."""
+    scalars = all(isinstance(side, int | sympy.Expr) and not getattr(side, "is_Matrix", False) for side in (lhs, rhs))
+    return sympy.Eq(lhs, rhs, evaluate=False) if scalars else lhs
+
+
+def claimed(lhs: Any, rhs: Any, given: Any, whole: bool = False, other: Any = None) -> Any:
+    """The inequality, or what joins several relations, for which two sides stand; None for an equation as it is."""
     claim = None if rhs is not None else lhs if whole else without_implication(lhs, given)[0]
-    return None if isinstance(claim, sympy.Equality) else claim
+    return None if isinstance(claim, sympy.Equality) and other is None else claim
 
 
 class _Unknown:

@@ -18,9 +18,10 @@ from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.calls import Calls, value_of
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
-from chasles.from_sympy.components import in_components, sides_of, without_implication
+from chasles.from_sympy.components import in_components, relation_of, sides_of, without_implication
 from chasles.from_sympy.decimals import as_decimals, each_replaced
 from chasles.from_sympy.domains import also_defined, cancelled, lost_in
+from chasles.from_sympy.induction import stepwise
 from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import atoms_of, excerpt
@@ -29,10 +30,12 @@ from chasles.from_sympy.unknown_integrands import is_tied, without_unknown_integ
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 
+Other = Callable[[Any], Any]
+"""A claim in other words."""
 SMOOTH = sympy.sin | sympy.cos | sympy.exp | AppliedUndef
 
 
-def as_said(exact: bool, *said: Any, whole: bool = False, other: Callable[[Any], Any] | None = None) -> tuple[Any, ...]:
+def as_said(exact: bool, *said: Any, whole: bool = False, other: Other | None = None) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts.
 
     What an implication assumes is given, unless the `whole` of it is a claim. An inequality is said in `other` words.
@@ -45,9 +48,10 @@ def as_said(exact: bool, *said: Any, whole: bool = False, other: Callable[[Any],
     lhs, rhs, *conditions = said
     stated = isinstance(lhs, Boolean) and not isinstance(lhs, sympy.Symbol)
     rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
+    lhs, rhs = (relation_of(lhs, rhs), None) if other else (lhs, rhs)
     if rhs is None and not whole:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
-    claim = other(lhs) if other and rhs is None else lhs
+    claim = other(lhs) if other else lhs
     if other and isinstance(claim, sympy.Implies):  # that something has a name implies the claim
         conditions[0] = [item for _, item in listed(conditions[0], "given")]
         require_new(claim.free_symbols - lhs.free_symbols, conditions)
@@ -68,12 +72,18 @@ def require_new(symbols: Iterable[Any], said: Any) -> None:
         raise Untreatable(f"{taken[0]} is a symbol of the question")
 
 
-def readings_of(said: Said) -> Iterator[Said]:
-    """The question with equations for inequalities, in one or two ways."""
+def readings_of(said: Said, counted: bool = False) -> Iterator[Said]:
+    """The question with equations for inequalities, in one or two ways; those alone with what may be `counted`."""
     plain = without_integrals(said)
-    yield (first := without_inequalities(plain))
+    yield from _as_counted(first := without_inequalities(plain), counted)
     if first is not plain and (other := without_inequalities(plain, by_excess=True)) != first:
-        yield other
+        yield from _as_counted(other, counted)
+
+
+def _as_counted(asked: Said, counted: bool) -> Iterator[Said]:
+    said = stepwise(asked) if counted else asked
+    if said is not None:
+        yield said
 
 
 def possible_verdict(decide: Callable[..., Verdict], asked: Said, calls: Calls) -> Verdict:

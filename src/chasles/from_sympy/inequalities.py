@@ -67,13 +67,14 @@ def without_inequalities(said: Said, by_excess: bool = False) -> Said:
 
 
 def definitions(said: Said, asked: Said) -> list[str]:
-    """How the verdict says the equations by which something is said otherwise than it was."""
-    known, *spoken = (
-        {atom for e in expressions_in(part) for atom in atoms_of(e)} for part in (said, *asked[:2], asked[3])
+    """How the verdict says the equations by which something is said otherwise than it was, if it is spoken of."""
+    known, before, now = (
+        {atom for e in expressions_in(part) for atom in atoms_of(e)}
+        for part in (said, (*said[:2], said[3]), (*asked[:2], asked[3]))
     )
-    new = set().union(*spoken) - known
-    equations = (e for e in expressions_in(asked[2]) if isinstance(e, sympy.Eq))
-    return [f"{e.lhs} = {e.rhs}" for e in equations if is_atom(e.lhs) and set(atoms_of(e.rhs)) & new]
+    equations = (e for e in expressions_in(asked[2]) if isinstance(e, sympy.Eq) and is_atom(e.lhs))
+    new = ((e, set(atoms_of(e.rhs)) - known) for e in equations)
+    return [f"{e.lhs} = {e.rhs}" for e, atoms in new if atoms & now or (atoms and e.lhs in before)]
 
 
 def _plain(item: Any) -> Iterator[Any]:
@@ -235,11 +236,12 @@ def _may_be(symbol: Any, value: Any, said: Said) -> bool:
 
 
 def _excess(item: Any, name: str, said: Said) -> Any:
-    """A new positive or nonnegative symbol, or a function if functions are compared."""
+    """A new positive or nonnegative symbol, an integer between integers, or a function if functions are compared."""
     calls = {call.args for call in item.atoms(AppliedUndef)}
     if len(calls) > 1:
         raise Untreatable(f"{excerpt(item)} is not treated: it compares functions of different variables")
     kind = {"positive" if isinstance(item, STRICT) else "nonnegative": True}
+    kind |= {"integer": True} if is_whole(sympy.expand(item.gts - item.lts)) else {}
     symbol = _fresh(said, name, **kind)
     return sympy.Function(symbol.name, **kind)(*calls.pop()) if calls else symbol
 

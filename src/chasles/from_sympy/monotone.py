@@ -7,6 +7,8 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.visible import signs_of
+
 RISING: Mapping[type, int] = {
     **dict.fromkeys((sympy.exp, sympy.log, sympy.sinh, sympy.asinh, sympy.tanh, sympy.atanh, sympy.acosh), 1),
     **dict.fromkeys((sympy.asin, sympy.atan, sympy.erf), 1), sympy.acos: -1,
@@ -14,9 +16,9 @@ RISING: Mapping[type, int] = {
 """Functions that rise or fall strictly on the interval on which they are real."""
 INVERSE_OF: Mapping[type, Any] = {
     sympy.exp: sympy.log, sympy.sinh: sympy.asinh, sympy.asinh: sympy.sinh, sympy.tanh: sympy.atanh,
-    sympy.atan: sympy.tan,
+    sympy.atan: sympy.tan, sympy.log: sympy.exp,
 }  # fmt: skip
-"""Functions that rise everywhere, and their inverse functions."""
+"""Functions that rise everywhere, or where they are real, and their inverse functions."""
 BETWEEN: Mapping[type, tuple[Any, Any]] = {
     sympy.exp: (0, sympy.oo), sympy.tanh: (-1, 1), sympy.atan: (-sympy.pi / 2, sympy.pi / 2),
 }  # fmt: skip
@@ -42,12 +44,17 @@ def plainer(claim: Any) -> Any:
 
 
 def of_arguments(item: Any) -> Any:
-    """The same said of the arguments of a function that rises everywhere: exp(x) > 1 says x > 0; or the inequality."""
+    """The same said of the arguments of a function that rises: exp(x) > 1 says x > 0; or the inequality.
+
+    Of a logarithm it is said where it is seen then to be real: log(x) > 1 says x > e, but log(x) < 1 not only x < e.
+    """
     kind = next((type(side) for side in item.args if type(side) in INVERSE_OF), None)
-    if kind is None or item.has(sympy.I):
+    if kind is None or item.has(sympy.I) or any(len(side.args) > 1 for side in item.args if type(side) is kind):
         return item
     sides = [side.args[0] if type(side) is kind else _argument(side, kind) for side in item.args]
-    return item if None in sides else item.func(*sides, evaluate=False)
+    if None in sides or (kind is sympy.log and signs_of(sides[item.args.index(item.lts)]) != {1}):
+        return item
+    return item.func(*sides, evaluate=False)
 
 
 def _argument(value: Any, kind: type) -> Any:

@@ -1,6 +1,7 @@
-"""Claims from which an inequality follows: that it holds of any argument, or that arguments are where a function rises.
+"""Claims from which others follow: that one holds of any argument, or that arguments are where a function rises.
 
-log(1 + 1/p) < 1/p holds if log(1 + u) < u does for u = 1/p, and cos(x) > cos(y) if 0 <= x < y <= pi.
+log(1 + 1/p) < 1/p holds if log(1 + u) < u does for u = 1/p, cos(x) > cos(y) if 0 <= x < y <= pi, and x = y if
+sin(x) = sin(y) and both are between -pi/2 and pi/2.
 """
 
 from __future__ import annotations
@@ -11,14 +12,25 @@ from typing import Any
 import sympy
 from sympy import S, pi
 from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
 
 from chasles.checker.expressions.visible import signs_of
 from chasles.from_sympy.domains import BINDING
 from chasles.from_sympy.inequalities import COMPARED, STRICT
+from chasles.from_sympy.monotone import RISING
+from chasles.from_sympy.side_conditions import listed
 
 Parts = tuple[Any, ...]
 """What is less than another, the other, and what holds besides."""
 INVERSES: Mapping[type, Any] = {sympy.cos: sympy.acos, sympy.sin: sympy.asin, sympy.tan: sympy.atan}
+MONOTONE: Mapping[type, tuple[int, Any, Any]] = {
+    **{kind: (rises, -S.Infinity, S.Infinity) for kind, rises in RISING.items()},
+    sympy.cos: (-1, S.Zero, pi), sympy.sin: (1, -pi / 2, pi / 2), sympy.tan: (1, -pi / 2, pi / 2),
+    sympy.cosh: (1, S.Zero, S.Infinity),
+}  # fmt: skip
+"""Whether a function rises or falls, and between which arguments."""
+REAL = (*INVERSES, sympy.exp, sympy.sinh, sympy.cosh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf)
+"""Those that are real everywhere between them."""
 SIGNED = {
     frozenset({1}): "positive", frozenset({0, 1}): "nonnegative",
     frozenset({-1}): "negative", frozenset({-1, 0}): "nonpositive",
@@ -49,10 +61,32 @@ def with_name(claim: Any) -> Any:
     return claim
 
 
-def _is_real(claim: Any) -> bool:
-    """Whether it is an inequality between numbers that are real where they are defined."""
+def of_values(claim: Any, given: Any) -> Iterator[Any]:
+    """What is claimed of two numbers, said of their values by a function of which something is given, and where.
+
+    If it is not real everywhere, something is given of these values themselves: else more would be needed.
+    """
+    if not _is_real(claim, (*COMPARED, sympy.Equality)):
+        return
+    stated = [item for _, item in listed(given, "given") if isinstance(item, Relational)]
+    calls = {call for item in stated for call in item.atoms(*MONOTONE)}
+    for kind in sorted(set(map(type, calls)), key=str):
+        rises, low, high = MONOTONE[kind]
+        values = [kind(side) for side in claim.args][::rises]
+        within = sympy.Lt if kind is sympy.tan else sympy.Le
+        ends = [within(low, side) for side in claim.args if low.is_finite]
+        ends += [within(side, high) for side in claim.args if high.is_finite]
+        real = kind in REAL or calls.issuperset(value for value in values if value.free_symbols)
+        known = all(value.free_symbols or (value.is_real and value.is_finite) for value in values)
+        if real and known and sympy.false not in ends:
+            order = claim.func(*values, evaluate=False)
+            yield sympy.And(order, *(end for end in ends if end is not sympy.true), evaluate=False)
+
+
+def _is_real(claim: Any, kinds: tuple[Any, ...] = COMPARED) -> bool:
+    """Whether it is a relation of one of these kinds between numbers that are real where they are defined."""
     complex_ = any(symbol.is_complex and not symbol.is_real for symbol in claim.free_symbols)
-    return isinstance(claim, COMPARED) and not complex_ and not claim.has(sympy.I)
+    return isinstance(claim, kinds) and not complex_ and not claim.has(sympy.I)
 
 
 def _arguments(claim: Any) -> Iterator[Any]:

@@ -13,8 +13,9 @@ import sympy
 from chasles.checker.expressions.asked import listed
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.expressions.quantities import with_values
+from chasles.checker.expressions.readings import is_integral
 from chasles.checker.expressions.unevaluated import require_running
-from chasles.checker.expressions.visible import is_running
+from chasles.checker.expressions.visible import is_running, kinds_of, signs_of
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.verdict import Counterexample, HoldsUnder
 
@@ -39,8 +40,15 @@ def letters_of(question: Question) -> list[Any]:
     """The integers up to which a question adds or multiplies, of which nothing is known but maybe a sign, by name."""
     parts = sympy.Tuple(*question[:2]).atoms(*LONG)
     letters = {letter for part in parts for letter in part.limits[0][-1].free_symbols if letter.is_integer}
-    letters -= {each for item in (*question[2], *question[3]) for each in item.free_symbols}
+    letters -= {each for item in (*_binding(question), *question[3]) for each in item.free_symbols}
     return sorted((letter for letter in letters if is_running(letter, (sympy.S.One,))), key=str)
+
+
+def _binding(question: Question) -> list[Any]:
+    """What is given, without equations for symbols of which nothing else is said."""
+    left, right, given, nonzero = question
+    said = [symbol for e in (left, right, *given, *nonzero) for symbol in e.free_symbols]
+    return [e for e in given if not isinstance(e, sympy.Eq) or said.count(e.lhs) != 1 or e.rhs.has(e.lhs)]
 
 
 def least_of(letter: Any) -> int:
@@ -51,15 +59,16 @@ def least_of(letter: Any) -> int:
 def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Question]:
     """The least value of a letter, the question there, and the question at the next number, given that it holds at one.
 
-    In the latter, the sums and products up to the letter are new symbols, called by a name and a number. Raises
-    `Rejected` where nothing says from where the letter counts, or terms depend on it.
+    In the latter, the sums and products up to the letter are new symbols, called by a name and a number; a product of
+    positive integers is more by one. Raises `Rejected` where nothing says from where the letter counts, or terms depend
+    on it.
     """
-    left, right, given, nonzero = question
+    left, right, given, nonzero = *question[:2], _binding(question), question[3]
     if letter.is_positive is not True and letter.is_nonnegative is not True:
         raise Rejected(f"nothing says from where {letter} counts: it is neither positive nor nonnegative")
     if left.has(sympy.I) or right.has(sympy.I):
         raise Rejected("sums and products are read as real numbers")
-    least = least_of(letter)
+    least = sympy.Integer(least_of(letter))
     parts = [part for part in sympy.Tuple(left, right).atoms(*LONG) if part.has(letter)]
     now, then = dict[Any, Any](), dict[Any, Any]()
     for count, part in enumerate(sorted(parts, key=str)):
@@ -67,18 +76,19 @@ def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Qu
         more = sympy.expand(high.xreplace({letter: letter + 1}) - high)
         if others or more not in range(1, MOST_MORE) or part.function.has(letter) or low.has(letter):
             raise Rejected(f"{part} does not grow by a few terms where {letter} grows by one")
-        positive = (isinstance(part, sympy.Product) and part.function.is_positive) or None
-        now[part] = symbol = sympy.Symbol(f"{name}_{count + 1}", real=True, positive=positive)
+        upwards = isinstance(part, sympy.Product) and -1 not in signs_of(1 + with_values(high - low, {letter: least}))
+        known = kinds_of(signs_of(part.function)) if upwards else {}
+        more_than = int("positive" in known and is_integral(part.function))
+        symbol = sympy.Symbol(f"{name}_{count + 1}", real=True, **({"nonnegative": True} if more_than else known))
+        now[part] = symbol + more_than
         terms = (part.function.xreplace({index: high + k}) for k in range(1, int(more) + 1))
-        then[symbol] = (sympy.Add if isinstance(part, sympy.Sum) else sympy.Mul)(symbol, *terms)
+        then[symbol] = (sympy.Add if isinstance(part, sympy.Sum) else sympy.Mul)(now[part], *terms) - more_than
     if {str(symbol) for symbol in then} & {str(s) for e in (left, right, *given) for s in e.free_symbols}:
         raise Rejected(f"the symbols {name}_1 and so on are not new")
-    if not then:
-        raise Rejected(f"nothing is added or multiplied up to {letter}")
     hypothesis = sympy.Eq(with_values(left, now), with_values(right, now), evaluate=False)
     after = (reduce(with_values, (now, {letter: letter + 1}, then), side) for side in (left, right))
-    first = (with_values(side, {letter: sympy.Integer(least)}) for side in (left, right))
-    return least, (*first, given, nonzero), (*after, [*given, hypothesis], nonzero)
+    first = (with_values(side, {letter: least}) for side in (left, right))
+    return int(least), (*first, given, nonzero), (*after, [*given, hypothesis], nonzero)
 
 
 def check_induction(verdict: Any, *asked: Any) -> None:
@@ -131,4 +141,5 @@ def at_numbers(found: Counterexample, *asked: Any) -> tuple[Any, ...]:
         if not value.is_Integer or (letter.is_positive and value < 1) or (letter.is_nonnegative and value < 0):
             raise Rejected(f"{letter} is not {value}")
     rest = {name: value for name, value in found.at.items() if name not in map(str, letters)}
-    return replace(found, at=rest), with_values(left, letters), with_values(right, letters), given, nonzero
+    sides, given = ([with_values(e, letters) for e in said] for said in ((left, right), given))
+    return replace(found, at=rest), *sides, given, nonzero

@@ -173,7 +173,7 @@ class Proven(KnownRoots):
     def over(self, value: Polynomial, spelled: str) -> Polynomial:
         """One over a value, by positive factors apart."""
         numerator, below = self.cleared(value)
-        common = reduce(and_, map(_places, numerator.terms)) if numerator else frozenset()
+        common = reduce(and_, (frozenset(dict(exponents(m))) for m in numerator.terms)) if numerator else frozenset()
         outside = ONE
         for place in common & (self.positive | self.words) if below or len(numerator.terms) > 1 else ():
             numerator = Polynomial({m - packed(place): c for m, c in numerator.terms.items()}, numerator.below)
@@ -230,7 +230,3 @@ class Proven(KnownRoots):
 
     def _state_root(self, text: str, texts: list[str]) -> None:
         self.state_root(parsed(text, self.places), [parsed(factor, self.places) for factor in texts])
-
-
-def _places(monomial: int) -> frozenset[int]:
-    return frozenset(place for place, _ in exponents(monomial))

@@ -122,7 +122,7 @@ class Search:
         for count, values in enumerate(self._points(context, system, ATTEMPTS[0], keep_some_time=False)):
             if not self.moves(_coordinates(system, values)):
                 continue
-            if not values.irrational:
+            if not values.irrational or system.pi in values.irrational:
                 return _coordinates(system, values)
             fallback = fallback or values
             if count == VANISHING:
