@@ -641,7 +641,7 @@ def test_a_new_bound_asks_for_flint(book: Book, tmp_path: Path, monkeypatch: pyt
     with pytest.raises(Failure, match=r"rotation_from_axis_angle .* pip install 'chasles\[fast\]'"):
         emission.commissioned(entries, Session(), tmp_path)
     (tmp_path / "MANIFEST.toml").write_text(MANIFEST, "utf-8")
-    (kernel,) = emission.commissioned(entries, Session(), tmp_path)
+    ((kernel,), _) = emission.commissioned(entries, Session(), tmp_path)
     assert kernel.bound is not None
     assert kernel.bound.as_data() == LISTED["rotation_from_axis_angle"]["bound"]
 

@@ -149,6 +149,25 @@ def test_two_changes_are_found_together() -> None:
     assert all(proves(claim, each.left, each.right) for each in found)
 
 
+def test_what_stood_in_brackets_and_was_dropped_is_found_as_two_terms() -> None:
+    """Of the pairs of terms that could be missing none is passed over because there are many."""
+    A, B = square("A", "A", "a matrix"), square("B", "B", "another")
+    a, b, c, d = (vector(name, name, "a vector") for name in "abcd")
+    whole = Definition("1", d, A @ a + B @ b - c)
+    (found, *_) = repair(Claim("2", d, A @ a, given=(whole,)))
+    assert plain(found.right) == "A a - c + B b"
+
+
+def test_a_wrong_letter_beside_a_dropped_term_is_told_as_a_letter() -> None:
+    phi, theta = scalar("phi", "phi", "an angle"), scalar("theta", "theta", "another")
+    E, N = square("E", "E", "a matrix"), square("N", "N", "another")
+    turning = Definition("1", N, sin(phi) * Identity(3) + (1 - cos(phi)) * E)
+    turned = rate(phi) * cos(phi) * Identity(3) + rate(phi) * sin(theta) * E
+    (found, *_) = repair(Claim("2", rate(N), turned, given=(turning,)))
+    assert "phi instead of theta" in found.changes
+    assert plain(found.right) == "phi_dot cos(phi) 1 + phi_dot sin(phi) E + (1 - cos(phi)) E_dot"
+
+
 def test_a_change_in_each_block() -> None:
     claim = Claim("9", column(CPM(x) @ y, CPM(x) @ z), column(-cross(x, y), cross(z, x)))
     (found,) = repair(claim)

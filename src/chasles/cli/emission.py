@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
+from typing import NamedTuple
 
 from chasles.bounds.bound import Bound
 from chasles.bounds.proving import bound_of, key_of, remembered
 from chasles.cli.answers import answers
 from chasles.cli.book import decisions
 from chasles.cli.checkout import installed_folder
-from chasles.cli.failures import BAD_INPUT, Failure, failing
+from chasles.cli.failures import BAD_INPUT, Failure, complain, failing
 from chasles.decisions.prediction import predict
 from chasles.decisions.processes import spread
 from chasles.decisions.recalled import session_of
@@ -30,26 +31,37 @@ A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
 
-def everything(book: Chapter, folder: Path, anew: bool) -> tuple[tuple[TargetKernel, ...], dict[str, str]]:
+class Commissioned(NamedTuple):
+    """The kernels that were made, and of each of the others where it is declared, its name, and why it is refused."""
+
+    kernels: tuple[TargetKernel, ...] = ()
+    refused: tuple[str, ...] = ()
+
+    def complained(self) -> int:
+        """The exit status, once each kernel that was refused is told on a line of standard error."""
+        return complain(f"refused: {why}" for why in self.refused)
+
+
+def everything(book: Chapter, folder: Path, anew: bool) -> tuple[Commissioned, dict[str, str]]:
     """The kernels of a chapter, and the text of each file that belongs into the folder. Raises Failure."""
     session = session_of(book, anew)
-    kernels = commissioned(book.entries, session, installed_folder(book), folder)
-    return kernels, emitted(book, kernels, pages(book, session) | answers(book, session))
+    made = commissioned(book.entries, session, installed_folder(book), folder)
+    return made, emitted(book, made.kernels, pages(book, session) | answers(book, session))
 
 
-def in_languages(book: Chapter, names: Sequence[str], anew: bool) -> tuple[tuple[TargetKernel, ...], dict[str, str]]:
+def in_languages(book: Chapter, names: Sequence[str], anew: bool) -> tuple[Commissioned, dict[str, str]]:
     """The kernels of a chapter, and the text of each file in the languages of these names. Raises Failure."""
     with failing(EmissionError, status=BAD_INPUT):
         targets = discover(named=names)
-    kernels = commissioned(book.entries, session_of(book, anew), installed_folder(book))
+    made = commissioned(book.entries, session_of(book, anew), installed_folder(book))
     with failing(EmissionError, before="nothing was emitted: "):
-        return kernels, spelled_out(kernels, targets, origin=_origin(book))
+        return made, spelled_out(made.kernels, targets, origin=_origin(book))
 
 
-def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | None) -> tuple[TargetKernel, ...]:
+def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | None) -> Commissioned:
     """The kernels of all statements that ask for some; error bounds that a manifest in `folders` has are taken over.
 
-    Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
+    Raises Failure where all are refused, and where a bound has to be proved without python-flint.
     """
     # In a checkout what is installed is what is written to: its manifest is read once.
     manifests = dict.fromkeys(folder.resolve() / MANIFEST for folder in folders if folder)
@@ -70,10 +82,10 @@ def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | No
     predict(session, [entry.statement for entry in entries])
     list(decisions(entries, session))
     found = spread(made, asking, A_KERNEL)
-    refused = [why for why in found if isinstance(why, str)]
-    if refused:
-        raise Failure(f"nothing was emitted; {len(refused)} of {len(asking)} kernels refused: {'; '.join(refused)}")
-    return tuple(kernel for kernel in found if isinstance(kernel, TargetKernel))
+    refused = tuple(why for why in found if isinstance(why, str))
+    if refused and len(refused) == len(asking):
+        raise Failure(f"nothing was emitted, all kernels are refused: {'; '.join(refused)}")
+    return Commissioned(tuple(kernel for kernel in found if isinstance(kernel, TargetKernel)), refused)
 
 
 def _known(manifest: Path) -> Mapping[str, Bound]:

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations, product
+from itertools import chain, combinations, product
+from math import comb
 
 from chasles.algebra.modular import Column, Span, multiple, plus, rational
 from chasles.algebra.work_limit import check
-from chasles.repairs.modular_testing import ModularTest
+from chasles.repairs.modular_testing import REFUSED, ModularTest
 from chasles.repairs.one_term import (
     LEFT_OUT,
     Change,
@@ -27,13 +28,14 @@ from chasles.repairs.one_term import (
     rescaled,
 )
 from chasles.repairs.residues import Sampled
+from chasles.repairs.single_edits import in_letters, single_edits
 from chasles.rewriting.coefficients import ONE, added, spelled, times
 from chasles.rewriting.places import Place, put, separate_sums
-from chasles.rewriting.term_basis import TermBasis
-from chasles.vocabulary import Node, plain
+from chasles.rewriting.term_basis import TermBasis, fit
+from chasles.vocabulary import Node, Symbol, plain
 
 MOST_CHANGES = 6
-MOST_SETS, MOST_IN_ALL = 3000, 60000
+MOST_SETS, MOST_IN_ALL = 5000, 60000
 """So many sets of new terms are looked at for one choice of terms to change, and so many in all."""
 MOST_FORMS = 6
 """So many forms of one block are given, those of the least effort."""
@@ -44,12 +46,16 @@ _Term = tuple[Node | None, str | None, int]
 
 @dataclass(slots=True)
 class _Sum:
-    """A sum of the right side that no other block depends on: its terms, their cores, and what could be added to it."""
+    """A sum of the right side that no other block depends on: its terms, their cores, and what could be added to it.
+
+    The `letters` are those that its terms can have been meant to have.
+    """
 
     place: Place
     terms: tuple[Place, ...]
     cores: tuple[Node, ...]
     new: tuple[Node, ...]
+    letters: tuple[Symbol, ...]
 
     def columns(self, test: ModularTest, at: Sampled) -> tuple[list[Column], list[Column], list[Column]]:
         """What the terms, their cores and the new terms contribute."""
@@ -85,7 +91,8 @@ class _Edits:
 
 def _sum(test: ModularTest, place: Place, terms: tuple[Place, ...], basis: TermBasis) -> _Sum:
     cores = tuple(ONE if (core := test.split(term.node).core) is None else core for term in terms)
-    return _Sum(place, terms, cores, distinct_terms(test, basis.terms(place.node), cores))
+    letters = tuple(node for node in basis.nodes if isinstance(node, Symbol))
+    return _Sum(place, terms, cores, distinct_terms(test, basis.terms(place.node), cores), letters)
 
 
 def _fewest(test: ModularTest, each: _Sum) -> list[_Edits] | None:
@@ -121,10 +128,11 @@ def _sets(
     for total in range(1, MOST_CHANGES + 1):
         sets: list[_Set] = []
         for size in range(min(total, len(cores)), -1, -1):
-            if len(new) ** (total - size) > MOST_SETS:
+            ways = comb(len(new), total - size)
+            if ways > MOST_SETS:
                 break
             for chosen in combinations(range(len(cores)), size):
-                looked_at += len(new) ** (total - size)
+                looked_at += ways
                 if looked_at > MOST_IN_ALL:
                     return
                 span = Span(cores[k] for k in chosen)
@@ -177,22 +185,33 @@ def _edited(test: ModularTest, each: _Sum, chosen: tuple[int, ...], extra: tuple
     stays = len(changed) < len(each.terms) or any(value for parts in changed.values() for value, _ in parts)
     if not stays:
         return None
-    terms = {k: _changed(test, each.terms[k], each.cores[k], coefficient) for k, coefficient in changed.items()}
+    terms = {k: _changed(test, each, k, coefficient) for k, coefficient in changed.items()}
     return _written(each, terms, dict(zip(extra, found[len(chosen) :], strict=True)))
 
 
-def _changed(test: ModularTest, place: Place, core: Node, coefficient: Coefficient) -> _Term:
-    """A term with another coefficient: a number times what is printed if it is that."""
-    spelling = spelled(coefficient)
+def _changed(test: ModularTest, each: _Sum, k: int, coefficient: Coefficient) -> _Term:
+    """A term with another coefficient: a number times what is printed, or that with one slip undone, if it is that."""
+    place, spelling = each.terms[k], spelled(coefficient)
     if spelling is None:
         return None, f"the term {plain(place.node)} is left out", LEFT_OUT
-    new = times(spelling, core)
-    at = test.varied
-    ratio = multiple(test.contribution(at, place, new), test.contribution(at, place))
+    new = times(spelling, each.cores[k])
+    wanted = test.contribution(test.varied, place, new)
+    ratio = multiple(wanted, test.contribution(test.varied, place))
     number = None if ratio is None else rational(ratio)
-    if number is None:
-        return new, instead(new, place.node), other_coefficient(coefficient)
-    return *rescaled(place.node, number), other_number(number)
+    if number is not None:
+        return *rescaled(place.node, number), other_number(number)
+    for edit in chain(in_letters(place.node, each.letters), single_edits(place.node)):
+        if fit(edit.node, new) and _contributes(test, place, edit.node, wanted):
+            return edit
+    return new, instead(new, place.node), other_coefficient(coefficient)
+
+
+def _contributes(test: ModularTest, place: Place, term: Node, wanted: Column) -> bool:
+    """Whether a term contributes what is wanted."""
+    try:
+        return test.contribution(test.varied, place, term) == wanted
+    except REFUSED:
+        return False
 
 
 def _written(each: _Sum, changed: dict[int, _Term], new: dict[int, Coefficient]) -> _Edits | None:

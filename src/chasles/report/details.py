@@ -13,7 +13,7 @@ from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.decision import HOW, Correction, Decision, key_of
 from chasles.report.equations import in_both, in_latex, in_words, signature_in_words
 from chasles.report.records import certificate_hash
-from chasles.report.words import point_in_words, said
+from chasles.report.words import entry_in_words, point_in_words, said
 from chasles.statements import Entry, Inverse, Statement
 from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import Counterexample, Fails, Verdict
@@ -72,7 +72,7 @@ def objections_to_print(decision: Decision) -> Lines:
     if why := decision.verdict.reason:
         yield "because", why
     if isinstance(decision.verdict, Fails):
-        yield from refuted(decision.verdict.counterexample)
+        yield from refuted(decision.verdict.counterexample, decision.statement)
 
 
 def evidence(decision: Decision) -> Lines:
@@ -98,11 +98,11 @@ def indented(lines: Lines) -> RenderableType:
     return Padding(grid, (0, 0, 0, 2))
 
 
-def refuted(found: Counterexample) -> Lines:
+def refuted(found: Counterexample, statement: object) -> Lines:
     """A counterexample: where, and what the sides come to there."""
-    row, column = found.entry
+    which = "; ".join(filter(None, (entry_in_words(found, statement), found.goal)))
     yield "at", point_in_words(found.at) or "every point"
-    yield "left", f"{found.left}   (row {row}, column {column}{f'; {found.goal}' if found.goal else ''})"
+    yield "left", f"{found.left}   ({which})" if which else found.left
     yield "right", found.right
 
 
@@ -112,7 +112,7 @@ def _instead(statement: Statement, correction: Correction) -> Lines:
     yield "instead", text
     yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", verdict.reason)))
     if isinstance(verdict, Fails):
-        yield from refuted(verdict.counterexample)
+        yield from refuted(verdict.counterexample, statement)
 
 
 def _predicate(verdict: Verdict) -> str:

@@ -19,7 +19,7 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.markdown import code, displayed, escaped
-from chasles.report.words import point_in_words
+from chasles.report.words import entry_in_words, point_in_words
 from chasles.statements import Chapter, Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import IllFormed
@@ -88,12 +88,12 @@ def _why(decision: Decision) -> Iterator[str]:
 def _by_hand(refuted: Refutation, here: str) -> Iterator[str]:
     """The values, the left side and the right side there, and by which definitions."""
     found, by_hand = refuted.found, refuted.by_hand
-    row, column = found.entry
+    which = entry_in_words(found, refuted.statement)
     so = f", so that {code(point_in_words(by_hand.values))}" if by_hand.values else ""
     if found.goal:
         yield f"- {escaped(found.goal)}:"
     yield f"- at {code(point_in_words(found.at) or 'every point')}{so}"
-    yield f"- the left side is {code(found.left)} in row {row}, column {column}{_by(by_hand.left, here)}"
+    yield f"- the left side is {code(found.left)}{which and f' in {which}'}{_by(by_hand.left, here)}"
     yield f"- the right side is {code(found.right)}{_by(by_hand.right, here)}"
 
 

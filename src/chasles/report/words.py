@@ -10,7 +10,8 @@ from math import isqrt
 from rich.text import Text
 
 from chasles.algebra.values import InPi
-from chasles.verdict import Verdict
+from chasles.statements import Statement
+from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import PI
 from chasles.vocabulary.letters import entry_names
 
@@ -49,6 +50,12 @@ def counted(verdicts: Iterable[Verdict]) -> str:
 def _of_so_many(word: str, count: int) -> str:
     words = word.replace("under", "under hypotheses")
     return re.sub(r"^(hold|fail)s", r"\1", words) if count != 1 else words
+
+
+def entry_in_words(found: Counterexample, statement: object = None) -> str:
+    """In which entry the sides differ, "row 2, column 1"; empty for scalars, and for what may be one."""
+    is_scalar = statement.left.is_scalar if isinstance(statement, Statement) else found.entry == (1, 1)
+    return "" if is_scalar else "row {}, column {}".format(*found.entry)
 
 
 def number_of(count: int, noun: str) -> str:

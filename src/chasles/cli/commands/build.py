@@ -29,6 +29,7 @@ def command(out: Path | None, json: bool) -> int:
     """Emit the kernels of another chapter, and compile them with the system's C compiler.
 
     After that `from PACKAGE import kernels` gives them to programs: as ufuncs, and `kernels.one`, `kernels.checked`.
+    Status 1: a kernel was refused; the others are compiled.
     """
     from chasles.cli.building import compiled, offered
     from chasles.cli.emission import everything
@@ -40,16 +41,19 @@ def command(out: Path | None, json: bool) -> int:
     if book.package == BOOK:
         raise Failure(f"`make compile` compiles the kernels of {BOOK}: name another chapter with --chapter", BAD_INPUT)
     folder = out or generated_folder(book, Path.cwd())
-    kernels, texts = everything(book, folder, anew=False)
+    made, texts = everything(book, folder, anew=False)
     with failing(EmissionError):
         write(folder, texts)
     remember(book, folder)
-    made = compiled(kernels, texts, folder)
+    library = compiled(made.kernels, texts, folder)
     module = offered(book, folder)
     if json:
-        names = [kernel.name for kernel in kernels]
-        print_data({"folder": str(folder), "kernels": names, "compiled": str(made), "import": module})
+        names, refused = [kernel.name for kernel in made.kernels], list(made.refused)
+        report = {"folder": str(folder), "kernels": names, "refused": refused}
+        print_data({**report, "compiled": str(library), "import": module})
     else:
-        click.echo(f"{number_of(len(kernels), 'kernel')}, proved and compiled in {seconds(perf_counter() - started)}")
+        click.echo(
+            f"{number_of(len(made.kernels), 'kernel')}, proved and compiled in {seconds(perf_counter() - started)}"
+        )
         click.echo(f"from {module} import kernels")
-    return 0
+    return made.complained()

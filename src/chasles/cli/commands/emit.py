@@ -16,8 +16,6 @@ from chasles.cli.failures import FAILED, complain, failing
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from chasles.targets import TargetKernel
-
 
 @click.command("emit", short_help="Write the kernels in every language.", epilog="Example: chasles emit --check")
 @click.option("--check", is_flag=True, help="Change nothing; name the files that are not as they would be emitted.")
@@ -40,11 +38,12 @@ def command(
 ) -> int:
     """Write the kernels of all proved statements, in every language, and the verdicts on all statements.
 
-    A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; an
-    unchanged file keeps its time. Status 1: something was refused or, with --check, is out of date.
+    A kernel is refused unless its program is proved equal to its statement; the others are emitted. Either all files
+    are written or none; an unchanged file keeps its time. Status 1: a kernel was refused or, with --check, a file is
+    out of date.
     """
     from chasles.cli.answers import answers
-    from chasles.cli.emission import everything, in_languages
+    from chasles.cli.emission import Commissioned, everything, in_languages
     from chasles.decisions.recalled import session_of
     from chasles.report.words import number_of, seconds
     from chasles.targets import EmissionError
@@ -52,25 +51,26 @@ def command(
     started = perf_counter()
     book = chapter()
     folder = out or (Path.cwd() if targets else generated_folder(book, Path.cwd()))
-    kernels: tuple[TargetKernel, ...] = ()
+    made = Commissioned()
     if answers_alone:
         texts, head = answers(book, session_of(book, anew)), "the answers"
     else:
-        kernels, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
-        head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
+        made, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
+        head = f"{number_of(len(made.kernels), 'kernel')}, each proved equal to its statement"
     in_part = bool(targets) or answers_alone
     with failing(EmissionError):
         if check:
-            return _check(folder, texts, head, in_part, json)
+            return max(_check(folder, texts, head, in_part, json), made.complained())
         report = _write(folder, texts, in_part)
         if not in_part:
             remember(book, folder)
     if json:
-        print_data({"folder": str(folder), "kernels": [kernel.name for kernel in kernels], **report})
+        names = [kernel.name for kernel in made.kernels]
+        print_data({"folder": str(folder), "kernels": names, "refused": list(made.refused), **report})
     else:
         click.echo(f"{head}, emitted in {seconds(perf_counter() - started)}")
         click.echo(f"files in {folder}: {_counted(report)}")
-    return 0
+    return made.complained()
 
 
 def _write(folder: Path, texts: Mapping[str, str], others_stay: bool) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from chasles.report.html.differences import mark_differences
 from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math, tree_of, with_formulas
 from chasles.report.html.shown import Equation, Fact, KernelRow, Related, Repaired, StatementShown, badge_of
 from chasles.report.records import certificate_hash
-from chasles.report.words import point_in_words
+from chasles.report.words import entry_in_words, point_in_words
 from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited, other_chapter
 from chasles.verdict import Fails, IllFormed
@@ -96,7 +96,7 @@ def _sides(entry: Entry, decision: Decision) -> tuple[Node, ...]:
 def _by_hand(refuted: Refutation, here: str) -> Iterator[Fact]:
     """The values, the left side and the right side there, and by which definitions."""
     found, by_hand = refuted.found, refuted.by_hand
-    row, column = found.entry
+    which = entry_in_words(found, refuted.statement)
     defining = (refuted.statement, *by_hand.left, *by_hand.right)
     known = _with_rates(side for given in defining for side in given.printed)
     if found.goal:
@@ -104,8 +104,8 @@ def _by_hand(refuted: Refutation, here: str) -> Iterator[Fact]:
     yield Fact("at", with_formulas(point_in_words(found.at) or "every point", known, of_words=False))
     if by_hand.values:
         yield Fact("so that", with_formulas(point_in_words(by_hand.values), known, of_words=False))
-    where = Markup("<code>{}</code> in row {}, column {}{}")
-    yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left, here)))
+    where = Markup("<code>{}</code>{}{}")
+    yield Fact("the left side is", where.format(found.left, which and f" in {which}", _by(by_hand.left, here)))
     yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right, here)))
 
 

@@ -26,7 +26,7 @@ from chasles.report.html.shown import Card, Fact, badge_of
 from chasles.report.html.statements import as_printed, equation, expression, part_of
 from chasles.report.notebook.alone import Alone, cited, entry_of, rests_on, sections_of
 from chasles.report.records import certificate_hash
-from chasles.report.words import number_of, point_in_words
+from chasles.report.words import entry_in_words, number_of, point_in_words
 from chasles.statements import Chapter, Entry
 from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
@@ -219,12 +219,11 @@ def _standing(decision: Decision, facts: Iterable[Fact]) -> Iterator[Fact]:
 
 
 def _refuted(found: Counterexample) -> Iterator[Fact]:
-    row, column = found.entry
-    where = Markup("<code>{}</code> in row {}, column {}")
+    which = entry_in_words(found)
     if found.goal:
         yield Fact("what fails", escape(found.goal))
     yield Fact("at", CODE.format(point_in_words(found.at) or "every point"))
-    yield Fact("the left side is", where.format(found.left, row, column))
+    yield Fact("the left side is", Markup("<code>{}</code>{}").format(found.left, which and f" in {which}"))
     yield Fact("the right side is", CODE.format(found.right))
 
 
