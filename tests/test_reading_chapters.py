@@ -21,7 +21,8 @@ from chasles.reading.equations import read_equations
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import ReadEquation, Reading
 from chasles.statements import Chapter, Claim, Entry, Statement, load
-from chasles.vocabulary import latex
+from chasles.vocabulary import Identity, latex
+from chasles.vocabulary.notation import Notation
 
 from .meaning import Meaning
 from .mutation import Mutant, mutants_of
@@ -83,6 +84,18 @@ def test_a_new_chapter_is_read_back(mine: Path) -> None:
     assert len(found) > 4
     assert all(read.status == "read" and says(read.readings[0], statement) for statement, read in found)
     page = chasles.read(r"\mathbf{H} = \mathbf{1} - 2 \mathbf{n} \mathbf{n}^T", chapter)
+    assert [each.verdict for each in page.equations] == ["defined"]
+
+
+@pytest.mark.parametrize(
+    ("form", "printed"), [(r"\mathbf{I}_{#1}", r"\mathbf{I}_3"), (r"\mathbf{E}_{#1}", r"\mathbf{E}_{3}"), ("I", "I")]
+)
+def test_an_identity_is_read_as_the_chapter_prints_it(
+    mine: Path, form: str, printed: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    chapter = load(mine)
+    monkeypatch.setattr(sys.modules["shelved"], "NOTATION", Notation({Identity: form}), raising=False)
+    page = chasles.read(rf"\mathbf{{H}} = {printed} - 2 \mathbf{{n}} \mathbf{{n}}^T", chapter)
     assert [each.verdict for each in page.equations] == ["defined"]
 
 

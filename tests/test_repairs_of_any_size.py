@@ -66,6 +66,9 @@ SLIPPED: list[tuple[Node, Node, str, tuple[Any, ...]]] = [
     (H @ P @ H.T @ inverse(S), Identity(m) - R, "1 - R (H P H^T + R)^-1", (invertible(S),)),
     (rate(inverse(X)), -(inverse(X) @ rate(X)), "-X^-1 X_dot X^-1", (invertible(X),)),
     (gradient(x.T @ A @ x, x), A @ x, "A x + A^T x", ()),
+    (inverse(A @ B), inverse(B) @ A, "B^-1 A^-1", (invertible(A), invertible(B))),
+    (P @ H.T @ inverse(S), inverse(inverse(P) + H.T @ inverse(R) @ H) @ H.T @ R, "(P^-1 + H^T R^-1 H)^-1 H^T R^-1",
+     (invertible(P), invertible(R), invertible(S))),
 ]  # fmt: skip
 
 

@@ -9,11 +9,11 @@ from chasles.checker.certificate import check
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, nonzero, rotation
-from chasles.statements.inequalities import inequality
+from chasles.statements.inequalities import difference_of, inequality, says_that
 from chasles.vocabulary import CPM, PI, column, cos, dot, matrix, norm, number, plain, rate, sin, square, tr
 from chasles.vocabulary.expansions import up_to
 from chasles.vocabulary.families import Entry, Family, Index, Kronecker
-from chasles.vocabulary.functions import arccos, arcsin, arctan, atan2, cases, exp, log, sqrt
+from chasles.vocabulary.functions import Relation, arccos, arcsin, arctan, atan2, cases, exp, log, sqrt
 from chasles.vocabulary.partial import partial
 from chasles.vocabulary.rotation_vectors import exp_of_vector
 
@@ -94,6 +94,15 @@ def test_the_slip_is_among_the_first_that_are_mended(wrong: Claim, right: Claim)
     assert len({(plain(each.left), plain(each.right)) for each in (wrong, *found)}) == 1 + len(found)
     for each in found:
         check(wrong.saying(each.left, each.right), "printed", each.verdict.certificate)
+
+
+@pytest.mark.parametrize("relation", [x * y <= x**2 / 4 + y**2 / 4, x**2 > 1, dot(v, w) <= dot(v, v) + w[1]], ids=str)
+def test_what_is_right_in_place_of_an_inequality_is_one_and_says_something(relation: Relation) -> None:
+    (first, *_) = found = repair(claim(*says_that(relation)))
+    assert first.verdict.true
+    for each in found:
+        assert each.left != each.right
+        assert difference_of(each.left, each.right) is not None
 
 
 def test_points_of_rotations_are_drawn() -> None:

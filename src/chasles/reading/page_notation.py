@@ -192,7 +192,9 @@ def declared_in(module: str, values: Iterable[Any]) -> PageNotation:
     for word, form in notation.forms.all_forms.items():
         make = makers.get(word) or (lambda *of, word=word: word(*of) if callable(word) else Call(word, *of))
         if "#" in form:
-            notation.spellings.add(form, make)
+            notation.spellings.add(form, _identity if word is Identity else make)
+        elif word is Identity:
+            notation.declare(Identity(3), form)
     usual_spellings(notation)
     for value in nodes:
         if isinstance(value, Symbol | Identity | Zero):
@@ -236,6 +238,13 @@ def _makers(values: Iterable[Any]) -> dict[Any, Make]:
             if node is not None:
                 found.setdefault(type(node), value)
     return found
+
+
+def _identity(size: Node) -> Node:
+    """The identity whose size is printed with it."""
+    if not isinstance(size, Number) or size.value < 1:
+        raise Misfit(f"{size} is no size")
+    return Identity(int(size.value))
 
 
 def _quotient(name: str, of: Node) -> Quotient:

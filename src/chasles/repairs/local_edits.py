@@ -64,6 +64,9 @@ def _of_form(node: Node) -> Iterator[Node]:
             yield w.Cross(right, left)
         case w.Contract(factors):
             yield from (w.Contract(_exchanged(factors, k, k + 1)) for k in range(len(factors) - 1))
+            for k, factor in enumerate(factors):
+                if isinstance(factor, w.Symbol) and factor.shape[0] == factor.shape[1] > 1:
+                    yield w.Contract((*factors[:k], w.Inverse(factor), *factors[k + 1 :]))
         case w.Block(rows):
             yield from _rearranged(rows)
         case Submatrix(of, (i, last), (j, end)) if (i, j) == (last, end):

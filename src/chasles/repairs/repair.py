@@ -26,6 +26,7 @@ from chasles.rewriting.term_basis import fit, term_basis
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.posing import default_sides
+from chasles.statements.statement import bare
 from chasles.verdict import Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node, plain
 from chasles.vocabulary.families import indices_of
@@ -188,7 +189,8 @@ def _marked(fitting: WellFormedRepair, change: Change) -> Change:
 def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     """The candidates that the prover confirms: those of the least number of changes, the smallest changes first.
 
-    One that is spelled as another, or as the printed equation, is none: a_ij is that of a matrix or of its transpose.
+    One that is spelled as another, or as the printed equation, is none: a_ij is that of a matrix or of its transpose;
+    nor is one whose sides are the same, which says nothing.
     """
     statement = near.statement
     hypotheses = chain(statement.assuming, *(given.assuming for given in statement.given))
@@ -201,7 +203,8 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
         if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
             return
         spelled = _spelled(change.left, change.right)
-        if not change.words or spelled in seen or len(seen) > MOST or rank.is_in_vain(change):
+        says_nothing = not change.words or bare(change.left) == bare(change.right)
+        if says_nothing or spelled in seen or len(seen) > MOST or rank.is_in_vain(change):
             continue
         seen.add(spelled)
         if (verdict := _verdict(near, statement.saying(change.left, change.right))) is not None:

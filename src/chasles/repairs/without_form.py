@@ -13,9 +13,10 @@ from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
 from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
 from chasles.rewriting.coefficients import ONE, times
 from chasles.rewriting.places import everywhere, with_term
+from chasles.statements.inequalities import ZERO, difference_of, says_that
 from chasles.vocabulary import Node
 from chasles.vocabulary.families import Entry, Index, Member
-from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.functions import FunctionOf, Relation
 
 if TYPE_CHECKING:
     from chasles.repairs.real_test import RealTest
@@ -38,7 +39,12 @@ def changes_without_form(
 
 
 def edited(left: Node, right: Node, edits: Callable[[Node], Iterator[SingleEdit]]) -> Iterator[Change]:
-    """The sides with one of the edits of the right one, then of the left one."""
+    """The sides with one of the edits of the right one, then of the left one; of an inequality, of its difference."""
+    if (difference := difference_of(left, right)) is not None:
+        for new, words, effort in islice(edits(difference), MOST):
+            sign = ">=" if left == abs(difference) else ">"
+            yield Change(*says_that(Relation(new, sign, ZERO)), (words,), effort)
+        return
     for new, words, effort in islice(edits(right), MOST):
         yield Change(left, new, (words,), effort)
     for new, words, effort in islice(edits(left), MOST):

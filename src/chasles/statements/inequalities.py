@@ -17,7 +17,7 @@ from chasles.vocabulary.functions import FunctionOf, Relation, sign
 
 PRINTED = {"<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 SAID = {"-": "minus", "+": "plus", "/": "over", "^": "to", ".": "dot"}
-ZERO = w.Number(Fraction(0))
+ZERO, ONE = w.Number(Fraction(0)), w.Number(Fraction(1))
 
 
 def _difference(relation: Relation) -> Node:
@@ -52,8 +52,15 @@ def says_that(relation: Relation) -> Equation:
     """Both sides of an equation that says the same of the difference d: |d| = d, or sign(d) = 1 if it is strict."""
     difference = _difference(relation)
     if relation.sign in ("<", ">"):
-        return sign(difference), w.Number(Fraction(1))
+        return sign(difference), ONE
     return abs(difference), difference
+
+
+def difference_of(left: Node, right: Node) -> Node | None:
+    """What two sides say to be positive, or not to be negative, as `says_that` does; None where they say no such."""
+    if isinstance(left, FunctionOf) and (left.function, right) in (("abs", left.arguments[0]), ("sign", ONE)):
+        return left.arguments[0]
+    return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,14 +92,7 @@ def as_differences(problem: Problem) -> tuple[Problem, tuple[str, ...]] | None:
     goals: list[Goal] = []
     signs: list[str] = []
     for goal in problem.goals:
-        match goal.left, goal.right:
-            case FunctionOf("abs", (of,)), same if of == same:
-                goals.append(Goal(goal.label, of, ZERO))
-                signs.append("not negative")
-            case FunctionOf("sign", (of,)), w.Number(value) if value == 1:
-                goals.append(Goal(goal.label, of, ZERO))
-                signs.append("positive")
-            case _:
-                goals.append(goal)
-                signs.append("")
+        difference = difference_of(goal.left, goal.right)
+        goals.append(goal if difference is None else Goal(goal.label, difference, ZERO))
+        signs.append("" if difference is None else "not negative" if goal.right == difference else "positive")
     return (with_fields(problem, goals=tuple(goals)), tuple(signs)) if any(signs) else None
