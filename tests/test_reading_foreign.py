@@ -830,3 +830,49 @@ def test_a_letter_that_the_page_goes_on_to_use_and_a_quantity_of_its_own_are_no_
     found = chasles.read(page, letters).equations
     assert not any(each.finding and each.finding.instead for each in found), found
     assert found[1].verdict in ("open", "defined")
+
+
+ROWS = {"symbols": {**dict.fromkeys("xyzv", "scalar"), "u": "vector", r"\nu": {"is": "matrix", "shape": [2, 1]}}}
+
+
+@pytest.mark.parametrize(
+    ("text", "verdicts"),
+    [
+        (r"\nu = [x \quad v]^T", ["defined"]),
+        (r"u = [x \quad -v \quad z]^T", ["unread"]),
+        (r"u = \left[x \qquad y \quad z\right]^T = \begin{bmatrix} x \\ y \\ z \end{bmatrix}", ["defined", "holds"]),
+        (r"x = [y \quad + v] = y + v", ["defined", "holds"]),  # the blank sets off a sign
+        (r"\left[\arraycolsep=2pt\begin{array}{c} x \\ y \\ z\end{array}\right] = [x \quad y \quad z]^T", ["holds"]),
+        (r"\jot = -1.5 pt x = y", ["defined"]),
+        (r"x = \ds\frac{y}{z}", ["defined"]),
+        (r"x = \underset{z \to 0}{\mathrm{lim}} \frac{\sin z}{z} = 1", ["open", "holds"]),
+        (r"x = \underset{z}{\operatorname{sup}} y", ["defined"]),
+    ],
+)
+def test_rows_with_wide_blanks_lengths_that_are_set_and_signs_over_what_runs(text: str, verdicts: list[str]) -> None:
+    assert [each.verdict for each in chasles.read(rf"\[ {text} \]", ROWS, "tex").equations] == verdicts
+
+
+def test_a_unit_of_siunitx_is_a_letter_to_declare() -> None:
+    page = r"\usepackage{siunitx} \[ x = \SI{2}{\centi\metre} \] \[ \SI{2}{m} = x \] \[ y = \qty{3}{m/s^2} \]"
+    printed = displayed(page, "tex")
+    assert {each.split(" = ")[0] for each in proposed(printed).splitlines() if each.startswith("'\\")} == {
+        r"'\mathrm{cm}'", r"'\mathrm{m}'", r"'\text{m/s^2}'",
+    }  # fmt: skip
+    assert [each.verdict for each in chasles.read(page, proposed(printed), "tex").equations].count("holds") == 0
+
+
+@pytest.mark.parametrize("bracket", [r"\lfloor", r"\left\lfloor", "[", r"\left["])
+def test_scripts_behind_any_bracket_that_opens_are_at_the_left_of_a_letter(bracket: str) -> None:
+    closed = bracket.replace("[", "]").replace("lfloor", "rfloor").replace("left", "right")
+    text = rf"P = {bracket} ^{{A}}_{{B}}\theta \times {closed} = {bracket} {{}}^{{A}}_{{B}}\theta \times {closed}"
+    letters = {"symbols": {"P": "matrix", r"{}^{A}_{B}\theta": "vector"}}
+    assert [each.verdict for each in chasles.read(text, letters).equations] == ["defined", "holds"]
+
+
+def test_a_root_of_four_was_not_meant() -> None:
+    """Strains in the notation of Voigt, and in that of Mandel."""
+    page = r"\[ e = [x \quad y \quad 2 z]^T \] \[ e = \begin{bmatrix} x & y & \sqrt{2} z \end{bmatrix}^T \]"
+    letters = {"symbols": {"e": "vector", **dict.fromkeys("xyz", "scalar")}}
+    found = chasles.read(page, letters, "tex").equations
+    assert not any(each.finding and each.finding.instead for each in found)

@@ -54,7 +54,13 @@ def one_mark_away(
     for one, other, said in filter(None, chain.from_iterable(zip_longest(of_right, of_left))):
         fits = one.fault is other.fault is None and one.shape == other.shape == left.shape and one != other
         is_other_root = has_roots and (_with_roots_taken(one), _with_roots_taken(other)) == printed
-        if fits and not is_other_root and (one, other) not in seen and _turned((one, other), is_known) == turned:
+        has_square = has_roots and any(map(_is_root_of_a_square, (*walk(one), *walk(other))))
+        if (
+            fits
+            and not (is_other_root or has_square)
+            and (one, other) not in seen
+            and _turned((one, other), is_known) == turned
+        ):
             seen.add((one, other))
             yield one, other, said
 
@@ -73,6 +79,11 @@ def _is_root(node: Node) -> bool:
         case Group() | Scale() | Quotient():
             return any(map(_is_root, node.below))
     return False
+
+
+def _is_root_of_a_square(node: Node) -> bool:
+    """Whether it is a root that nobody writes: that of one or four."""
+    return isinstance(node, FunctionOf) and node.arguments in ((Number(Fraction(1)),), (Number(Fraction(4)),))
 
 
 def _turned(sides: tuple[Node, Node], is_known: IsKnown) -> Counter[Node]:

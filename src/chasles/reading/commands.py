@@ -91,8 +91,10 @@ DROPPED = _commands(
     "thickspace negthinspace negmedspace negthickspace enspace enskip linebreak pagebreak unboldmath normalsize small "
     "footnotesize scriptsize large xspace displaybreak centering par f therefore qedhere empty checkmark"
 ) | {r"\,", r"\;", r"\:", r"\!", r"\ ", r"\/", r"\-", r"\>", r"\@", "\\\n", "~"}
-LENGTHS = _commands("hskip mskip kern mkern")
-"""Commands that a length follows."""
+LENGTHS = _commands(
+    "hskip mskip kern mkern arraycolsep tabcolsep jot thinmuskip medmuskip thickmuskip abovedisplayskip"
+)
+"""Commands that a length follows, or a sign of equality and a length."""
 
 SPACES = _commands("quad qquad hfill hfil")
 """Space wide enough to part two equations on a line."""

@@ -25,11 +25,40 @@ ALWAYS = r"""
 \newcommand\grad{\nabla} \newcommand\curl{\nabla\times} \newcommand\laplacian{\nabla^2}
 \newcommand\sgn{\operatorname{sgn}} \newcommand\num[1]{#1} \newcommand\ang[1]{#1^\circ}
 \newcommand\argmin{\operatorname{argmin}} \newcommand\argmax{\operatorname{argmax}}
-\newcommand\bbm{\begin{bmatrix}} \newcommand\ebm{\end{bmatrix}}
+\newcommand\ds{\displaystyle} \newcommand\bbm{\begin{bmatrix}} \newcommand\ebm{\end{bmatrix}}
 \newcommand\bpm{\begin{pmatrix}} \newcommand\epm{\end{pmatrix}}
 """
 """What is the same in every package that has it, or a usual name for it where the page does not define it."""
 
+UNITS = {
+    "metre": "m",
+    "meter": "m",
+    "gram": "g",
+    "kilogram": "kg",
+    "second": "s",
+    "minute": "min",
+    "hour": "h",
+    "newton": "N",
+    "joule": "J",
+    "watt": "W",
+    "pascal": "Pa",
+    "hertz": "Hz",
+    "radian": "rad",
+    "volt": "V",
+    "ampere": "A",
+    "kelvin": "K",
+    "tesla": "T",
+    "per": "/",
+    "squared": "^2",
+    "cubed": "^3",
+    "kilo": "k",
+    "centi": "c",
+    "milli": "m",
+    "nano": "n",
+    "mega": "M",
+    "giga": "G",
+}
+"""By the names that siunitx has for them."""
 PACKAGES = {
     "physics": r"""
 \newcommand\qty[1]{\left(#1\right)} \newcommand\vb{\mathbf} \newcommand\va[1]{\vec{\mathbf{#1}}}
@@ -37,6 +66,7 @@ PACKAGES = {
 \newcommand\vdot{\cdot} \newcommand\div{\nabla\cdot}
 """,
     "tensor": r"\newcommand\tensor[3][]{{}#1{#2}#3}",
-    "siunitx": r"\newcommand\SI[3][]{#2} \newcommand\qty[3][]{#2}",
+    "siunitx": r"\newcommand\SI[3][]{#2\text{#3}} \newcommand\qty[3][]{#2\text{#3}}"
+    + "".join(rf"\newcommand\{name}{{{unit}}}" for name, unit in UNITS.items()),
 }
 """By the name of the package, what a page that uses it may write."""

@@ -11,7 +11,7 @@ from chasles.reading.lexemes import LEXEME, BadPage, Token, lexemes, spelled
 from chasles.reading.typefaces import array_in_brackets, styled, text_atoms, with_scripts, without_empty_cells
 
 DEEPEST = 60
-SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {ROW_END, "&", ",", ";", "(", "[", r"\{", r"\quad", r"\qquad"}
+SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {ROW_END, "&", ",", ";", *OPENING, r"\quad", r"\qquad"}
 TURNS = (r"\top", r"\intercal")
 """Signs of a transpose that some set behind a letter without raising them."""
 _INFIX = commands.RELATIONS | commands.OPERATORS | {"&", ROW_END, r"\quad"}
@@ -260,6 +260,8 @@ class _Respelling:
             return single(token._replace(text=r"\triangleq"))
         if token.text in (r"\overset", r"\underset") and len(arguments[1]) == 1:
             script, (sign,) = arguments
+            name = NAME.fullmatch(sign.text)
+            sign = replace(sign, text=rf"\{name[1]}") if name and rf"\{name[1]}" in commands.WITH_LIMITS else sign
             if sign.text in commands.WITH_LIMITS:
                 return replace(sign, sub=script) if token.text == r"\underset" else replace(sign, sups=(script,))
         kind = "COMMAND" if len(arguments) == 1 else "COMMAND_OF_TWO"
@@ -277,8 +279,9 @@ class _Respelling:
         return text
 
     def after_length(self) -> list[Atom]:
-        for taken in ("-", *["0123456789."] * 9, *["cehimnptuwx"] * 2):
-            self.at += bool(self.peek()) and self.peek() in taken
+        for taken in ("=", "-", *["0123456789."] * 9, *["cehimnptuwx"] * 2):
+            text = self.peek()
+            self.at += bool(text) and text in taken
         return []
 
     def delimiter(self, size: Token) -> list[Atom]:

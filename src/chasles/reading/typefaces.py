@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from chasles.reading import commands
-from chasles.reading.atoms import ROW_END, Atom, Atoms, single
+from chasles.reading.atoms import ROW_END, Atom, Atoms, lines_of, single
 from chasles.reading.lexemes import Token, cut, spelled
 
 BRACKETED = {"[": ("]", "bmatrix"), "(": (")", "pmatrix"), "|": ("|", "vmatrix")}
@@ -97,6 +97,8 @@ def array_in_brackets(atoms: list[Atom]) -> None:
     closing = atoms[-1] if atoms and atoms[-1].kind in ("CLOSE", "BAR", "END") else None
     if closing is None:
         return
+    if _row_with_blanks(atoms):
+        return
     array = atoms[-2] if len(atoms) > 2 else closing
     if array.kind == "GRID" and array.text in UNBRACKETED and not (array.is_marked or atoms[-3].is_marked):
         close, name = BRACKETED.get(atoms[-3].text, ("", ""))
@@ -109,6 +111,26 @@ def array_in_brackets(atoms: list[Atom]) -> None:
         atoms.append(closing)
     elif closing.is_marked:
         atoms[-1:] = with_scripts(atoms[-1:], (closing.sub, closing.primes, closing.sups), closing.place)
+
+
+def _row_with_blanks(atoms: list[Atom]) -> bool:
+    """Make a row of what stands in square brackets with wide blanks between, where none of these may set off a sign."""
+    depth, start = 0, len(atoms)
+    while start and (depth or start == len(atoms)):
+        start -= 1
+        depth += (atoms[start].text == "]") - (atoms[start].text == "[")
+    if atoms[-1].text != "]" or depth or atoms[start].is_marked:
+        return False
+    cells = lines_of(atoms[start + 1 : -1], (r"\quad",))
+    ends = [atom.kind for cell in cells for atom in (cell[:1] + cell[-1:])]
+    if len(cells) < 2 or not all(cells) or {"SIGN", "INFIX", "RELATION", "COMMA", "LAYOUT"} & {*ends}:
+        return False
+    place = atoms[start].place
+    between = single(place._replace(text="&"))
+    inside = tuple(piece for k, cell in enumerate(cells) for piece in (*((between,) if k else ()), *cell))
+    made = replace(atoms[-1], kind="GRID", text="bmatrix", place=place._replace(text=r"\begin{bmatrix}"))
+    atoms[start:] = [replace(made, arguments=(inside,))]
+    return True
 
 
 def text_atoms(command: Token, inside: list[Token], atoms_of: Callable[[list[Token]], list[Atom]]) -> list[Atom]:
