@@ -14,6 +14,7 @@ from sympy import Rational, acos, asin, atan, atanh, cos, cosh, erf, exp, floor,
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.visible import signs_of
 from chasles.from_sympy.sufficient import of_values
+from chasles.points.search.drawing import Drawing
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided
 
@@ -403,6 +404,15 @@ def test_arguments_of_values_that_are_not_where_it_rises_prove_nothing() -> None
     stronger = Fails(Counterexample({"x": Fraction(4), "y": Fraction(4)}, (1, 1), "0", "1"))
     with pytest.raises(Rejected):
         recheck(stronger, x, y, [sp.Eq(sin(x), sin(y))])
+
+
+def test_where_pi_occurs_the_first_point_is_the_witness(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A point with pi among its coordinates is never rational: no other one is looked for."""
+    drawn = []
+    attempt = Drawing.attempt
+    monkeypatch.setattr(Drawing, "attempt", lambda self, *args: drawn.append(args) or attempt(self, *args))
+    assert prove(y > -pi / 2, given=[x < y, x > -pi / 2, y < pi / 2]).true
+    assert 0 < len(drawn) < 10
 
 
 GIVEN_LOGARITHMS: list[tuple[Any, list[Any], bool]] = [
