@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 import os
 import pickle
@@ -674,6 +675,31 @@ def test_other_compilers_and_levels_give_the_same(flag, tmp_path):
 def test_importing_chasles_stays_light():
     light = "import sys, chasles; assert not {'sympy', 'numpy', 'ctypes'} & set(sys.modules), sys.modules.keys()"
     subprocess.run([sys.executable, "-c", light], check=True)
+
+
+def test_making_and_calling_load_no_masked_arrays():
+    script = "import sys, chasles, sympy; x = sympy.Symbol('x'); chasles.compile(x + 1, x)([1.0])"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{script}; print('numpy.ma' in sys.modules)"], capture_output=True, check=True
+    )
+    assert done.stdout.split() == [b"False"]
+
+
+@pytest.mark.parametrize("enabled", [True, False])
+def test_cycles_are_not_looked_for_while_a_kernel_is_made_and_again_afterwards(enabled, monkeypatch):
+    compiling = sys.modules["chasles.compiling"]
+    seen, made, was_enabled = [], compiling.kernel_for, gc.isenabled()
+    monkeypatch.setattr(compiling, "kernel_for", lambda *given: seen.append(gc.isenabled()) or made(*given))
+    (gc.enable if enabled else gc.disable)()
+    try:
+        chasles.compile(x + 1, x)
+        assert gc.isenabled() == enabled
+        with pytest.raises(LoweringError):
+            chasles.compile(x + y, x)
+        assert gc.isenabled() == enabled
+    finally:
+        (gc.enable if was_enabled else gc.disable)()
+    assert seen == [False]
 
 
 @needs_c

@@ -130,10 +130,43 @@ def test_derivatives_of_what_is_respelled_are_those_stated_where_nothing_cancels
         ((1 - sp.cos(x)) / sp.sin(x), 0.0, 0.0),
         (sp.sin(2 * x) / sp.sin(x), 0.0, 2.0),
         (sp.sin(x) ** 2 / sp.sin(x), 0.0, 0.0),
+        (sp.sin(x) ** 2 / (x**2 + x**4), 0.0, 1.0),
+        ((x - 1) ** 2 / (4 * (x - 1) ** 2 + 3 * (x**2 - 1) ** 2), 1.0, 1 / 16),
     ],
 )
 def test_a_quotient_of_functions_of_one_angle_has_its_limit(expression, at, limit):
     assert chasles.compile(expression, x)(at) == limit
+
+
+@pytest.mark.parametrize(
+    ("expression", "at"),
+    [
+        ((1 + sp.erf(x)) / 2, -5.0),
+        (y - y * sp.erf(x), 5.0),
+        (2 - sp.erfc(x), -5.0),
+        (sp.sqrt(1 - sp.erfc(x)), 1e-9),
+        (1 + sp.tanh(3 * x), -20.0),
+        (0.5 - 0.5 * sp.tanh(3.0 * x - 1.5), 20.0),
+        (sp.tanh(x).diff(x), 20.0),
+        (sp.tanh(x).diff(x, 2), -20.0),
+        (sp.pi / 2 - sp.atan(x), 1e9),
+        (sp.pi / 2 + sp.atan(x), -1e9),
+        (sp.pi / 2 - sp.asin(x), 1 - 2.0**-40),
+        (sp.pi / 2 - sp.acos(x), 1e-9),
+        (sp.pi - sp.acos(x), 2.0**-40 - 1),
+        (sp.Piecewise((1 - sp.erf(x), x > 0), (1 + sp.erf(x), True)), -5.0),
+        (1 / (1 - sp.tanh(x)), 20.0),
+        (sp.log((1 + sp.erf(x)) / 2), -20.0),
+    ],
+)
+def test_what_is_left_of_a_number_that_a_function_comes_close_to_keeps_its_digits(expression, at):
+    names = sorted(expression.free_symbols, key=str)
+    with mpmath.workdps(400):
+        variables = [mpmath.mpf(at) if name == x else mpmath.mpf(0.7) for name in names]
+        value, slope = (sp.lambdify(names, e, "mpmath")(*variables) for e in (expression, expression.diff(x)))
+        found, rate = chasles.compile(expression, names, jacobian=True, wrt=x)(*map(float, variables))
+        assert abs(found - value) < 1e-14 * abs(value)
+        assert abs(rate - slope) < 2e-12 * abs(slope)
 
 
 @pytest.mark.parametrize(

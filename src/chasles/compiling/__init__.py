@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from chasles.compiling.collection import collection_held_off
 from chasles.compiling.depth import at_any_depth
 from chasles.compiling.derived import derived_from
 from chasles.compiling.inputs import inputs_of, require_kernel_name
@@ -22,6 +23,7 @@ __all__ = ["CompiledKernel", "LoweringError", "compile"]
 
 
 @at_any_depth
+@collection_held_off()
 def compile(
     expr: Any,
     inputs: Any = None,

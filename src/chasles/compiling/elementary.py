@@ -69,6 +69,13 @@ class Inverted(sympy.Function):  # type: ignore[misc]
     is_real = True
 
 
+class HeldErfc(sympy.Function):  # type: ignore[misc]
+    """The complementary error function; SymPy would write it as 2 less that of the opposite."""
+
+    nargs = (1,)
+    is_real = True
+
+
 class PowerTimesLog(sympy.Function):  # type: ignore[misc]
     """A positive power of a base times the logarithm of a multiple of the base; zero where the base is."""
 
@@ -108,6 +115,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.asech: partial(_inverse_hyperbolic_secant, build),
         sympy.acsch: lambda a: build.function("asinh", over(a)),
         DividedExponential: lambda *points: divided_exponential(build, list(points)),
+        HeldErfc: partial(build.function, "erfc"),
         Inverted: partial(_inverted, build, {}),
         sympy.expint: partial(_exponential_integral, build),
         sympy.Ci: lambda a: where_nonnegative(build, a, build.function("ci", a)),

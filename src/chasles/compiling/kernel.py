@@ -88,8 +88,9 @@ class CompiledKernel(Displayed):
             inputs = self._in_order(inputs, options)
         found = self._function(*inputs, **options)
         first = found[0] if type(found) is tuple else found
-        if isinstance(first, numpy.ma.MaskedArray):
-            # NumPy gives a result the mask of an input, whose shape is another.
+        is_plain = type(first) is numpy.ndarray or not isinstance(first, numpy.ndarray)
+        if not is_plain and isinstance(first, numpy.ma.MaskedArray):
+            # NumPy gives a result the mask of an input, whose shape is another. It loads these when they are named.
             raise ValueError(f"{self.name}: an input is a masked array: hand over its numbers, as .filled(nan)")
         if self._singles < MANY_SINGLES and self.ufunc is not None and first.dtype == numpy.float32:
             self._count_singles(first.size)

@@ -28,6 +28,7 @@ from chasles.compiling.angles import (
     square_of,
     with_series,
 )
+from chasles.compiling.complements import by_complements
 from chasles.compiling.exponentials import with_points_together
 from chasles.compiling.growth import in_range
 from chasles.compiling.near_zero import in_squares, where_near, without_cancellation
@@ -47,10 +48,11 @@ def without_removable(expression: sympy.Basic, symbols: dict[Any, Any] | None = 
     `symbols` has those that stand for what does not change with an angle, and gets more: expressions that have them in
     common are looked at once.
     """
-    parts = parts_of(expression, ())
-    if any(isinstance(part, ExprWithLimits) for part in parts):
+    if any(isinstance(part, ExprWithLimits) for part in parts_of(expression, ())):
         # There is no program for it: what is said of it shall be said of what was given.
         return expression
+    expression = by_complements(expression)
+    parts = parts_of(expression, ())
     divided, found = divisors(parts), expression
     if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
         table = dict(_by_roots(parts, divided))

@@ -163,17 +163,21 @@ def _size(expression: Any) -> int:
 @lru_cache(KEPT)
 def _zeros(divisor: Any) -> tuple[SymbolValue, ...]:
     """Values of symbols, at which the divisor vanishes: numbers, and sums of other symbols."""
-    large = _size(divisor) > _MOST_PARTS or len(divisor.free_symbols) > _MOST_SYMBOLS
-    if large or (divisor.is_Add and _is_sum_of_squares(divisor)):
+    if _size(divisor) > _MOST_PARTS or len(divisor.free_symbols) > _MOST_SYMBOLS:
         return ()
-    return tuple(point for point in starmap(SymbolValue, _tried(divisor)) if point.vanish(divisor))
+    together = _vanishing_together(divisor)
+    tried = (point for factor in sympy.Mul.make_args(together[0]) for point in _tried(factor))
+    return tuple(point for point in starmap(SymbolValue, tried) if all(map(point.vanish, together)))
 
 
-def _is_sum_of_squares(total: sympy.Add) -> bool:
-    terms = [term.as_coeff_Mul() for term in total.args]
-    factors = (factor for _, product in terms for factor in sympy.Mul.make_args(product))
+def _vanishing_together(divisor: Any) -> list[Any]:
+    """What is zero wherever the divisor is: in a sum of squares each of what is squared."""
+    terms = [term.as_coeff_Mul() for term in divisor.args] if divisor.is_Add else []
+    powers = [[factor.as_base_exp() for factor in sympy.Mul.make_args(product)] for _, product in terms]
     same = len({bool(number.is_positive) for number, _ in terms}) == 1
-    return same and all(f is sympy.S.One or (f.is_Pow and f.base.is_Symbol and f.exp.is_even) for f in factors)
+    if same and all(base is sympy.S.One or (exp.is_even and exp.is_positive) for of in powers for base, exp in of):
+        return [sympy.Mul(*(base for base, _ in of)) for of in powers]
+    return [divisor]
 
 
 def _tried(divisor: Any) -> Iterator[tuple[Any, Any]]:
