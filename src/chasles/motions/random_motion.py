@@ -18,7 +18,7 @@ from chasles.motions.time_series import Array, TimeSeries, chosen, function_of, 
 from chasles.statements import Hypothesis
 from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Power, Rate, Symbol, undotted
 from chasles.vocabulary.functions import Cases, FunctionOf
-from chasles.vocabulary.partial import PartialDerivative, with_derivatives
+from chasles.vocabulary.partial import CarriedOut, with_derivatives
 
 MOTIONS, ELEMENTS = 12, 7
 """So many motions are looked at, of bodies of so many elements: at some of them roots are real."""
@@ -174,7 +174,7 @@ class ValuesInMotion(Interpreter):
                 return [[function_of("sqrt")(square)]]
             case Inverse(of):
                 return self.inverse(of)
-            case PartialDerivative():
+            case CarriedOut():
                 return self(with_derivatives(node, self.rules))
             case Integral(of):
                 return each(self(of), lambda entry: TimeSeries(entry.terms.sum(axis=-1, keepdims=True)))

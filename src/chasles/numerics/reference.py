@@ -21,7 +21,7 @@ from chasles.numerics.enclosures import ends, exactly, interval_context, is_narr
 from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.functions import Cases, FunctionOf
-from chasles.vocabulary.partial import PartialDerivative, with_derivatives
+from chasles.vocabulary.partial import CarriedOut, with_derivatives
 
 GUARD = 15
 """Digits beyond those asked for in the first evaluation."""
@@ -116,7 +116,7 @@ class _Enclosures(Interpreter):
                 return [[getattr(self.context, function)(self.scalar(argument))]]
             case FunctionOf(function, arguments):
                 return [[function_of(function, self.context)(*map(self.scalar, arguments))]]
-            case PartialDerivative():
+            case CarriedOut():
                 return self(with_derivatives(node, self.rules))
             case Cases(values, left, right, signs):
                 told = zip(values, left, signs, right, strict=False)

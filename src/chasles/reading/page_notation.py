@@ -209,9 +209,11 @@ def declared_in(module: str, values: Iterable[Any]) -> PageNotation:
 
 def known_words() -> Iterator[tuple[str, type[Node]]]:
     """The words that are made of nothing but other words, by the names that a file has for them."""
-    from chasles.vocabulary import motion_vectors, motions, products, quaternions, rotation_vectors
+    from chasles.vocabulary import hadamard, motion_vectors, motions, products, quaternions, rotation_vectors
 
-    assert all((motion_vectors, motions, products, quaternions, rotation_vectors))  # imported to be known here
+    assert all(
+        (hadamard, motion_vectors, motions, products, quaternions, rotation_vectors)
+    )  # imported to be known here
     waiting: list[type[Node]] = [Node]
     while waiting:
         kind = waiting.pop()

@@ -25,7 +25,7 @@ from chasles.prover.conditions import Solved
 from chasles.statements.lengths import Lengths
 from chasles.vocabulary import Node
 from chasles.vocabulary.differentiation import NoRule, rate_of
-from chasles.vocabulary.partial import PartialDerivative, with_derivatives
+from chasles.vocabulary.partial import CarriedOut, with_derivatives
 
 Point = Mapping[str, int]
 A_TERM = 12
@@ -108,7 +108,7 @@ class Sampled(Interpreter):
                 return found
             case w.Determinant(of):
                 return [[self._inverted(of)[1]]]
-            case PartialDerivative():
+            case CarriedOut():
                 try:
                     return self(with_derivatives(node, self.rules))
                 except NoRule:

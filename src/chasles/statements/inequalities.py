@@ -22,9 +22,7 @@ ZERO, ONE = w.Number(Fraction(0)), w.Number(Fraction(1))
 
 def _difference(relation: Relation) -> Node:
     """What is positive, or at least not negative."""
-    large, small = relation.left, relation.right
-    if relation.sign in ("<", "<="):
-        large, small = small, large
+    large, small = (relation.left, relation.right)[:: -1 if relation.sign in ("<", "<=") else 1]
     if not (large.is_scalar and small.is_scalar):
         raise w.Misfit(f"only scalars are compared: {relation}")
     if ZERO in (large, small):
@@ -77,11 +75,10 @@ class PositiveDefinite(Declared):
         """What is to be decided: a label and two sides, for each equation."""
         x = w.Symbol("any_column", r"\mathbf{x}", w.uniform((self.matrix.shape[0], 1), None), "any column")
         form = Relation(w.Contract((w.Transpose(x), self.matrix, x)), ">=", ZERO)
-        found: list[tuple[str, Node, Node]] = [("it is symmetric", self.matrix, w.Transpose(self.matrix))]
-        found.append(("its quadratic form is never negative", *says_that(form)))
-        if not self.semi:
-            found.append(("its determinant is positive", *says_that(Relation(w.Determinant(self.matrix), ">", ZERO))))
-        return tuple(found)
+        symmetric = "it is symmetric", self.matrix, w.Transpose(self.matrix)
+        semidefinite = symmetric, ("its quadratic form is never negative", *says_that(form))
+        regular = "its determinant is positive", *says_that(Relation(w.Determinant(self.matrix), ">", ZERO))
+        return semidefinite if self.semi else (*semidefinite, regular)
 
 
 def as_differences(problem: Problem) -> tuple[Problem, tuple[str, ...]] | None:
@@ -89,10 +86,7 @@ def as_differences(problem: Problem) -> tuple[Problem, tuple[str, ...]] | None:
 
     None if the problem says nothing of this kind.
     """
-    goals: list[Goal] = []
-    signs: list[str] = []
-    for goal in problem.goals:
-        difference = difference_of(goal.left, goal.right)
-        goals.append(goal if difference is None else Goal(goal.label, difference, ZERO))
-        signs.append("" if difference is None else "not negative" if goal.right == difference else "positive")
-    return (with_fields(problem, goals=tuple(goals)), tuple(signs)) if any(signs) else None
+    said = [(goal, difference_of(goal.left, goal.right)) for goal in problem.goals]
+    goals = tuple(goal if large is None else Goal(goal.label, large, ZERO) for goal, large in said)
+    signs = tuple("" if e is None else "not negative" if goal.right == e else "positive" for goal, e in said)
+    return (with_fields(problem, goals=goals), signs) if any(signs) else None

@@ -219,7 +219,8 @@ def _in_own_sections(module: str, entries: Sequence[Entry]) -> Sequence[Entry]:
     """The entries; raises `DeclarationError` for a number that is among those of an earlier section of the module."""
     for entry in entries:
         if not entry.section.number:
-            raise DeclarationError(f"{entry.place}{module}.{entry.name} is declared before any Section")
+            why = "is declared before any Section, or has a name that something imported had before"
+            raise DeclarationError(f"{entry.place}{module}.{entry.name} {why}")
     numbered: dict[Section, list[tuple[list[int], Entry]]] = {}
     for entry in entries:
         kind, place, _ = place_of(entry.statement.number)

@@ -10,7 +10,7 @@ from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis, symmetric
 from chasles.statements.rules import rated
 from chasles.vocabulary import Node
-from chasles.vocabulary.differentiation import NoRule, rate_of
+from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.layout import At, Group, Rate
 from chasles.vocabulary.spatial import Determinant, Inverse
@@ -18,7 +18,7 @@ from chasles.vocabulary.tree import with_parts
 
 
 class SizedRates:
-    """Carries out rates; the `rules` say what symbols stand for. Raises `Misfit` for what has no rate by its parts.
+    """Carries out rates; the `rules` say what symbols stand for. Raises `NoRule` for what has no rate by its parts.
 
     `letters` are those for the rates of symbols that came up.
     """
@@ -56,10 +56,7 @@ class SizedRates:
             case Group(of) | At(of, "t"):
                 return self._rate(of)
             case _:
-                try:
-                    return self._resolved(rate_of(node))
-                except NoRule as error:
-                    raise w.Misfit(str(error)) from None
+                return self._resolved(rate_of(node))
 
     def _resolved(self, node: Node) -> Node:
         if isinstance(node, Rate):

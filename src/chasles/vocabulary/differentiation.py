@@ -13,7 +13,7 @@ from chasles.vocabulary.spatial import Cross, Dot, Norm, Skew, Trace, Vect
 from chasles.vocabulary.tree import children, rebuilt
 
 
-class NoRule(ValueError):
+class NoRule(TypeError):
     """An expression whose rate is not made of the rates of its parts; the message names it and says what to do."""
 
 

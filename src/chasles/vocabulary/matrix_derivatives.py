@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 
+from chasles.vocabulary.differentiation import NoRule
 from chasles.vocabulary.fields import Field
 from chasles.vocabulary.functions import DERIVATIVES, FunctionOf
 from chasles.vocabulary.layout import At, Block, Call, Group
 from chasles.vocabulary.letters import Identity, Zero
-from chasles.vocabulary.measure import Misfit
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.plain import plain
 from chasles.vocabulary.sizes import sizes_of
@@ -32,7 +32,7 @@ Between = tuple[Node | None, Node, Node | None]
 def derivative_by_whole(of: Node, by: Node) -> Node:
     """Of a scalar by a matrix a matrix of the same shape, by a column a row; of a column by a column the Jacobian.
 
-    Raises `Misfit` for what has no rule of differentiation.
+    Raises `NoRule` for what has no rule of differentiation.
     """
     rules = _Derivative(by)
     if not of.is_scalar:
@@ -115,7 +115,7 @@ class _Derivative:
                 slopes = DERIVATIVES[function](*node.below)
                 return ((each, _times(slope, weight)) for each, slope in zip(node.below, slopes, strict=True))
             case _:
-                raise Misfit(f"the derivative of {plain(node)} by {plain(self.by)} follows no rule")
+                raise NoRule(f"the derivative of {plain(node)} by {plain(self.by)} follows no rule")
 
     def jacobian(self, left: Node | None, node: Node, right: Node | None) -> Iterator[Node]:
         """The derivative of a part between two factors, which make a column of it."""
@@ -159,7 +159,7 @@ class _Derivative:
             case Transpose(of):
                 return (_transposed(left, of, right),)
             case _:
-                raise Misfit(f"the derivative of {plain(node)} by {plain(self.by)} follows no rule")
+                raise NoRule(f"the derivative of {plain(node)} by {plain(self.by)} follows no rule")
 
 
 def _times(*factors: Node | None) -> Node:
@@ -227,7 +227,7 @@ def _transposed(left: Node | None, of: Node, right: Node | None) -> Between:
         case Group(inner):
             return left, Transpose(inner), right
         case _:
-            raise Misfit(f"the derivative of the transpose of {plain(of)} follows no rule")
+            raise NoRule(f"the derivative of the transpose of {plain(of)} follows no rule")
 
 
 def _placed(rows: tuple[tuple[Node, ...], ...]) -> Iterator[tuple[Node, Node, Node]]:

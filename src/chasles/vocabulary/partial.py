@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import ClassVar
 
 from chasles.vocabulary.arguments import declaring, making
-from chasles.vocabulary.differentiation import NoRule, rate_of
+from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.fields import Field, fields_of
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import At, Block, Group, Rate
@@ -28,8 +28,18 @@ PRODUCTS = Scale, Contract, Dot, Cross
 LINEAR = Sum, Negative, Transpose, Block, Group, At, Skew, Trace, Vect
 
 
+class CarriedOut(Node):
+    """What is said in simpler words once it is known what symbols stand for."""
+
+    has_no_polynomial_form: ClassVar[bool] = True
+
+    def carried_out(self, rules: Mapping[Node, Node]) -> Node:
+        """The same in simpler words; `rules` say what symbols stand for."""
+        raise NotImplementedError(type(self).__name__)
+
+
 @word
-class PartialDerivative(Node):
+class PartialDerivative(CarriedOut):
     """The derivative by a scalar, entry by entry, of a scalar by a matrix, or the Jacobian of a column by a column.
 
     What it is taken `by` is a symbol, an entry of one, the rate of one, which is independent of the symbol, or a column
@@ -38,7 +48,6 @@ class PartialDerivative(Node):
 
     of: Node
     by: Node
-    has_no_polynomial_form: ClassVar[bool] = True
 
     def _measured(self) -> Measure:
         for part in _parts_of(self.by):
@@ -57,6 +66,42 @@ class PartialDerivative(Node):
             )
         partition = partition_of(extents_of(of)[0], extents_of(by)[0])
         return Measure(tuple(tuple(d and e and d / e for (e,) in by.grid) for (d,) in of.grid), partition)
+
+    def carried_out(self, rules: Mapping[Node, Node]) -> Node:
+        """The derivative by each part of a block, by what something stands for, or by a whole symbol or its rate."""
+        if isinstance(self.by, Block):
+            return Block(
+                (tuple(with_derivatives(PartialDerivative(self.of, part), rules) for part in _parts_of(self.by)),)
+            )
+        whole, entry = _place_of(self.by)
+        base, dots = undotted(whole)
+        if (coordinates := _coordinates(base, dots, rules)) is not None:
+            by = coordinates.rows[self.by.rows[0] - 1][0] if isinstance(self.by, Submatrix) else coordinates
+            return with_derivatives(PartialDerivative(self.of, by), rules)
+        of = opened(self.of)
+        values = {key: _of_rule(key, rules) for key in rules if key not in (whole, base)}
+        while (told := opened(replace(of, values | meanings(of)))) != of:
+            of = told
+        said = {part for key in (whole, base) if key in rules for part in walk(opened(rules[key]))}
+        if whole not in (seen := {*walk(of)}) and any(isinstance(part, Symbol) for part in said & seen):
+            raise TypeError(f"a derivative by {whole} is taken, and {self.of} does not depend on it but on what it is")
+        rates: dict[Node, Node] = {}
+        fields = fields_of((of,))
+        of, moved = _at_rest(of, rates), _at_rest(whole, rates)
+        placed: dict[Node, Node] = {each: _placed(each, values, rates) for each in fields}
+        of = replace(of, placed) if placed else of
+        back = {quantity: rate for rate, quantity in (*rates.items(), *placed.items())}
+        if whole.is_scalar:
+            return replace(_along(of, moved, ONE), back)
+        if isinstance(entry, Submatrix):
+            return replace(_along(of, moved, _unit(whole.shape, entry.rows[0] - 1, entry.columns[0] - 1)), back)
+        if (whole.shape[1] != 1 and not fields) or sizes_of((of, whole)):
+            return replace(derivative_by_whole(of, moved), back)
+        slopes = [
+            [_along(of, moved, _unit(whole.shape, i, j)) for j in range(whole.shape[1])] for i in range(whole.shape[0])
+        ]
+        grid = tuple(zip(*slopes, strict=True)) if whole.shape[1] == 1 else tuple(map(tuple, slopes))
+        return replace(Block(grid), back)
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
         of: Node = self
@@ -107,71 +152,32 @@ def _coordinates(base: Node, dots: int, rules: Mapping[Node, Node]) -> Block | N
 
 def _of_rule(key: Node, rules: Mapping[Node, Node]) -> Node:
     """What a rule says, with every derivative carried out: it does not lead back to the rule."""
-    value = rules[key]
-    if not differentiates(value):
-        return value
-    return with_derivatives(value, {other: rule for other, rule in rules.items() if other != key})
+    others = rules.items() if differentiates(rules[key]) else ()
+    return with_derivatives(rules[key], {other: rule for other, rule in others if other != key})
 
 
 def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
     """The expression with every derivative carried out; `rules` say what symbols stand for.
 
-    Raises `Misfit` for what has no rule of differentiation, and TypeError where it is not said what varies.
+    Raises TypeError for what has no rule of differentiation, and where it is not said what varies.
     """
     if not differentiates(node):
         return node
     if isinstance(node, Shorthand) and node.has_no_polynomial_form:
         return with_derivatives(node.definition, rules)
     inner = with_inner(node, lambda part: with_derivatives(part, rules))
-    if isinstance(node, Symbol) or not isinstance(inner, PartialDerivative):
-        return inner
-    return _taken(inner, rules)
-
-
-def _taken(node: PartialDerivative, rules: Mapping[Node, Node]) -> Node:
-    """The derivative by each part of a block, by what something stands for, or by the whole of a symbol or its rate."""
-    if isinstance(node.by, Block):
-        return Block((tuple(with_derivatives(PartialDerivative(node.of, part), rules) for part in _parts_of(node.by)),))
-    whole, entry = _place_of(node.by)
-    base, dots = undotted(whole)
-    if (coordinates := _coordinates(base, dots, rules)) is not None:
-        by = coordinates.rows[node.by.rows[0] - 1][0] if isinstance(node.by, Submatrix) else coordinates
-        return with_derivatives(PartialDerivative(node.of, by), rules)
-    of = opened(node.of)
-    values = {key: _of_rule(key, rules) for key in rules if key not in (whole, base)}
-    while (told := opened(replace(of, values | _meanings(of)))) != of:
-        of = told
-    said = {part for key in (whole, base) if key in rules for part in walk(opened(rules[key]))}
-    if whole not in (seen := {*walk(of)}) and any(isinstance(part, Symbol) for part in said & seen):
-        raise TypeError(f"a derivative by {whole} is taken, and {node.of} does not depend on it but on what it is")
-    rates: dict[Node, Node] = {}
-    fields = fields_of((of,))
-    of, moved = _at_rest(of, rates), _at_rest(whole, rates)
-    placed: dict[Node, Node] = {each: _placed(each, values, rates) for each in fields}
-    of = replace(of, placed) if placed else of
-    back = {quantity: rate for rate, quantity in (*rates.items(), *placed.items())}
-    if whole.is_scalar:
-        return replace(_along(of, moved, ONE), back)
-    if isinstance(entry, Submatrix):
-        return replace(_along(of, moved, _unit(whole.shape, entry.rows[0] - 1, entry.columns[0] - 1)), back)
-    if (whole.shape[1] != 1 and not fields) or sizes_of((of, whole)):
-        return replace(derivative_by_whole(of, moved), back)
-    slopes = [
-        [_along(of, moved, _unit(whole.shape, i, j)) for j in range(whole.shape[1])] for i in range(whole.shape[0])
-    ]
-    grid = tuple(zip(*slopes, strict=True)) if whole.shape[1] == 1 else tuple(map(tuple, slopes))
-    return replace(Block(grid), back)
+    return inner.carried_out(rules) if isinstance(inner, CarriedOut) else inner
 
 
 @lru_cache(maxsize=16384)
 def differentiates(node: Node) -> bool:
     """Whether there is a derivative in the expression, or in what an abbreviation stands for."""
     inner = node.stands_for if isinstance(node, Symbol) else None
-    own = isinstance(node, PartialDerivative) or (isinstance(node, Shorthand) and node.has_no_polynomial_form)
+    own = isinstance(node, CarriedOut) or (isinstance(node, Shorthand) and node.has_no_polynomial_form)
     return own or any(map(differentiates, children(node) if inner is None else (inner,)))
 
 
-def _meanings(node: Node) -> dict[Node, Node]:
+def meanings(node: Node) -> dict[Node, Node]:
     """What the abbreviations in the expression stand for."""
     found = {part: part.stands_for for part in walk(node) if isinstance(part, Symbol)}
     return {part: meaning for part, meaning in found.items() if meaning is not None}
@@ -188,7 +194,7 @@ def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
     if isinstance(node, Rate):
         base, _ = undotted(node)
         if not isinstance(base, Symbol):
-            return _at_rest(_ruled(node.of), rates)
+            return _at_rest(rate_of(node.of), rates)
         if node not in rates:
             measure = measured(node)
             rates[node] = Symbol(f"{node}", f"{node}", measure, constant=True, home=base.home, has_units=base.has_units)
@@ -209,7 +215,7 @@ def _along(node: Node, by: Node, direction: Node) -> Node:
         case Determinant(of):
             return Trace(Contract((Transpose(Cofactor(of)), _along(of, by, direction))))
         case _:
-            return _resolved(_ruled(node), by, direction)
+            return _resolved(rate_of(node), by, direction)
 
 
 def _resolved(node: Node, by: Node, direction: Node) -> Node:
@@ -224,13 +230,6 @@ def _resolved(node: Node, by: Node, direction: Node) -> Node:
         kept = tuple(part for part in parts if not isinstance(part, Zero))
         return kept[0] if len(kept) == 1 else Sum(kept)
     return rebuilt(node, parts) if parts else node
-
-
-def _ruled(node: Node) -> Node:
-    try:
-        return rate_of(node)
-    except NoRule as error:
-        raise Misfit(str(error)) from None
 
 
 def _unit(shape: tuple[int, int], row: int, column: int) -> Node:
