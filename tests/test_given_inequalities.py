@@ -344,7 +344,15 @@ def test_a_proof_that_does_not_say_what_its_symbols_are_is_rejected() -> None:
 
 @pytest.mark.parametrize(
     ("root", "given"),
-    [(sp.sqrt(x), x < 0), (sp.sqrt(x + y), x + y < 0), (x / sp.sqrt(y - 1), y < 1), (sp.sqrt(x) * sp.sqrt(y), x < 0)],
+    [
+        (sp.sqrt(x), x < 0),
+        (sp.sqrt(x + y), x + y < 0),
+        (x / sp.sqrt(y - 1), y < 1),
+        (sp.sqrt(x) * sp.sqrt(y), x < 0),
+        (sp.sqrt(-y) / sp.sqrt(sp.Symbol("k", positive=True)), -y <= 0),
+        (sp.sqrt(-y), y >= 0),
+        (sp.sqrt(x - y), y >= x),
+    ],
 )
 def test_nothing_holds_of_roots_that_are_not_real_where_what_is_given_holds(root: Any, given: Any) -> None:
     assert not prove(root, root, given=[given]).true

@@ -21,7 +21,7 @@ from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.components import claimed, is_implication, relation_of, without_implication
 from chasles.from_sympy.exponents import require_moderate
-from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_possible
+from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_no_imaginary, require_possible
 from chasles.from_sympy.induction import counts
 from chasles.from_sympy.inequalities import COMPARED, Said, definitions
 from chasles.from_sympy.methods import WAYS, check
@@ -226,6 +226,7 @@ def _recheck(verdict: Verdict, said: Said, counted: bool) -> None:
     for asked in readings_of(calls.said, counted):
         try:
             with well_formed("verdict"):
+                require_no_imaginary(calls.said, asked)
                 _check_reading(verdict, [*definitions(said, asked), *calls.defined], asked)
                 require_possible(verdict, calls)
             return

@@ -91,6 +91,7 @@ def possible_verdict(decide: Callable[..., Verdict], asked: Said, calls: Calls) 
 
     Raises `Rejected` for what is not possible.
     """
+    require_no_imaginary(calls.said, asked)
     verdict = decide(*asked)
     try:
         require_possible(verdict, calls)
@@ -114,6 +115,15 @@ def require_possible(verdict: Verdict, calls: Calls) -> None:
         case Holds() | HoldsUnder():
             calls.require_apart(verdict.witness or {})
             _require_real(calls.said, verdict.witness or {})
+
+
+def require_no_imaginary(said: Said, asked: Said) -> None:
+    """Raise `Rejected` where what is given makes what is asked imaginary: SymPy writes sqrt(-y) so, given y >= 0."""
+    if any(e.has(sympy.I) for e in expressions_in(said)):
+        return
+    for e in expressions_in(asked[:2]):
+        if e.has(sympy.I) and e.replace(sympy.Piecewise, lambda *_: sympy.S.Zero).has(sympy.I):
+            raise Rejected(f"{excerpt(e)} is not real where what is given holds")
 
 
 def _require_real(said: Said, witness: Mapping[str, Any]) -> None:
