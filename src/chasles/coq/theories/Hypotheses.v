@@ -23,6 +23,8 @@ Definition linear {B : Type} (integral : (B -> R) -> R) : Prop :=
   (forall k f, integral (fun b => k * f b) = k * integral f).
 Definition integrated {B : Type} (integral : (B -> R) -> R) {m n} (f : B -> M m n) : M m n :=
   matrix m n (fun i j => integral (fun b => entry (f b) i j)).
+Definition positive_integral {B : Type} (integral : (B -> R) -> R) : Prop :=
+  forall f, (forall b, 0 <= f b) -> 0 <= integral f.
 (* The one assumption of analysis: the rate of an integral is the integral of the rate. *)
 Definition differentiable_under {B : Type} (integral : (B -> R) -> R) : Prop :=
   forall (f g : B -> R -> R) t, (forall b, derivable_pt_lim (f b) t (g b t)) ->

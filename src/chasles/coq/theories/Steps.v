@@ -116,15 +116,14 @@ Ltac turned_by total := lazymatch goal with
   | |- cos _ = _ => transitivity (cos total); [f_equal; lra | turned]
   | |- sin _ = _ => transitivity (sin total); [f_equal; lra | turned]
   end.
-Lemma dot_not_negative {m} (v : M m 1) : 0 <= dot v v.
+Lemma sum_not_negative n f : (forall i, 0 <= f i) -> 0 <= sum n f.
 Proof.
-  unfold dot. set (f := fun i => entry v i 0 * entry v i 0).
-  assert (K : forall n (g : nat -> R), (forall i, 0 <= g i) -> 0 <= sum n g).
-  { induction n as [|n IH]; intros g G; [apply Rle_refl|]. destruct n as [|n]; [apply G|].
-    change (0 <= g O + sum (S n) (fun i => g (S i))).
-    apply Rplus_le_le_0_compat; [apply G | apply IH; intro; apply G]. }
-  apply K. intro i. apply Rle_0_sqr.
+  revert f. induction n as [|n IH]; intros f F; [apply Rle_refl|]. destruct n as [|n]; [apply F|].
+  change (0 <= f O + sum (S n) (fun i => f (S i))).
+  apply Rplus_le_le_0_compat; [apply F | apply IH; intro; apply F].
 Qed.
+Lemma dot_not_negative {m} (v : M m 1) : 0 <= dot v v.
+Proof. apply sum_not_negative. intro i. apply Rle_0_sqr. Qed.
 Lemma norm_squared {m} (v : M m 1) : norm v ^ 2 - dot v v = 0.
 Proof. unfold norm. rewrite pow2_sqrt; [ring | apply dot_not_negative]. Qed.
 Lemma norm_not_negative {m} (v : M m 1) : 0 <= norm v.

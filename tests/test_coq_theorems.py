@@ -1,0 +1,80 @@
+"""Theorems of every form, of other chapters' matter, as they are said in Coq: it accepts them, and none that says more."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from chasles import vocabulary as w
+from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
+from chasles.coq.folder import chunks
+from chasles.coq.theorems import claims_of
+from chasles.decisions.session import Session
+from chasles.statements import Theorem, definite, nonzero, positive, unit
+from chasles.statements.forms import Definite, Exists, Form, Iff, Minimum, OnlyWhere, Unique
+
+A = w.square("A", "A", "a matrix")
+x, b, u = (w.vector(name, name, "a vector") for name in "xbu")
+y, z, k, m = (w.scalar(name, name, "a number") for name in "yzkm")
+CROSS = w.norm(w.cross(u, x)) ** 2
+
+THEOREMS: dict[str, tuple[Form, tuple[object, ...]]] = {
+    "one solution of linear equations": (Unique(x, A @ x - b, w.inverse(A)), ()),
+    "one solution of a linear equation": (Unique(y, k * y - z, 1 / k), (nonzero(k),)),
+    "a square is least": (Minimum((y - z) ** 2 + k, k, over=y, at=z, squares=(y - z,)), ()),
+    "a sum of squares": (
+        Definite(y**2 + m * z**2, squares=(y**2, m * z**2), over=(y, z), by=w.Identity(2)),
+        (positive(m),),
+    ),
+    "Cauchy's inequality": (Definite(w.dot(x, x) - w.dot(u, x) ** 2, squares=(CROSS,)), (unit(u),)),
+    "a definite form over a number": (
+        Definite(x.T @ A @ x / m, squares=(x.T @ A @ x / m,), over=(x,), by=w.Identity(3)),
+        (positive(m), definite(A)),
+    ),
+    "components along and across": (
+        Definite(
+            CROSS + w.dot(u, x) ** 2, squares=(CROSS, w.dot(u, x) ** 2), over=(x,), by=w.row(-w.CPM(u), u)
+        ),
+        (unit(u),),
+    ),
+    "no difference of a projection": (
+        OnlyWhere(w.Identity(3), w.Identity(3) + k**2 * x @ x.T, by=x, squares=(k**2 * w.dot(x, x) ** 2,)),
+        (),
+    ),
+    "parallel": (Iff(w.cross(u, x), x - w.dot(u, x) * u, forth=-w.CPM(u), back=w.CPM(u)), (unit(u),)),
+    "a root": (Exists(y, z / k, k * y, z), (nonzero(k),)),
+}
+
+
+def theorem(name: str) -> Theorem:
+    form, assuming = THEOREMS[name]
+    return Theorem("1", says=name, forms=(form,), assuming=assuming)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", THEOREMS)
+def test_every_form_has_words_and_a_proof(name: str) -> None:
+    claim, *_ = claims_of([Session().decide(theorem(name))])
+    assert claim.whole
+    assert claim.proof, claim.why_not
+
+
+@pytest.mark.skipif(coq_version() is None, reason=MISSING)
+@pytest.mark.slow
+def test_coq_accepts_them_and_nothing_more() -> None:
+    """What is said of definite forms is that they are not negative; that they are positive, Coq refuses."""
+    claims, more = [], []
+    for name in THEOREMS:
+        [decision] = [Session().decide(theorem(name))]
+        claim, *_ = claims_of([decision])
+        key = f"t_{len(claims)}"
+        said, proof = (text.replace(claim.name, key) for text in (claim.said, claim.proof))
+        claims.append(replace(claim, name=key, said=said, proof=proof))
+        stronger = {"0 <= ": "0 < ", " -> (x = x_other)%M": " -> (x = b_)%M", " -> y = y_other": " -> y = z"}
+        for weak, strong in stronger.items():
+            if weak in said:
+                changed = (text.replace(weak, strong).replace(key, f"{key}_more") for text in (said, proof))
+                more.append(replace(claims[-1], name=f"{key}_more", **dict(zip(("said", "proof"), changed, strict=True))))
+    assert len(more) == 6
+    found = verdicts_of_coq(chunks([*claims, *more]))
+    assert [each.accepted for each in found] == [True] * len(claims) + [False] * len(more)
