@@ -346,11 +346,14 @@ def form_expected(form: Form, goals: list[Goal], expected: Expected) -> Tree:
 
 def form_read(text: str) -> Tree:
     text = text.strip()
-    text = text[1:-1] if "->" in text or "<=" in text else text
+    return form_inside(text[1:-1] if "->" in text or "<=" in text else text)
+
+
+def form_inside(text: str) -> Tree:
     if found := re.fullmatch(r"(.*) <-> (.*)", text):
         return ("<->", equation(found[1]), equation(found[2]))
     if text.startswith("positive_integral integral -> "):
-        return ("if positive", form_read(text.removeprefix("positive_integral integral -> ")))
+        return ("if positive", form_inside(text.removeprefix("positive_integral integral -> ")))
     if found := re.fullmatch(r"0 <= (.*?)(?: /\\ \((.*) -> (.*)\))?", text):
         below = ("<=", Reader(found[1]).sum())
         return (below, equation(found[2]), equation(found[3])) if found[2] else below

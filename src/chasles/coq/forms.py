@@ -8,6 +8,7 @@ from typing import Any
 
 from chasles import vocabulary as w
 from chasles.coq.expressions import ATOM, LOOSE, PLUS, Spelling, Unsaid
+from chasles.coq.names import CoqNames
 from chasles.coq.sentences import NOW
 from chasles.coq.statement import CoqStatement
 from chasles.statements import Goal
@@ -53,7 +54,9 @@ class SaidForm:
 
     def freed(self, symbol: w.Symbol) -> tuple[str, Spelling]:
         """The name of a symbol, and how expressions are spelled in which it is bound."""
-        names = self.said.names
+        names = CoqNames()
+        names.symbols |= self.said.names.symbols
+        names.rates |= self.said.names.rates
         return names.symbol(symbol), Spelling(
             names, lambda node, name: name if node == symbol else self.said.applied(node, name)
         )
@@ -163,7 +166,8 @@ class OnlyWhereSaid(SaidForm):
     def steps(self, equations: str) -> Iterator[str]:
         difference = w.Sum((self.form.left, w.Negative(self.form.right)))
         yield f"intro same'. pose proof {self.applied(equations)} as less'."
-        yield f"assert (none' : ({self.spelling.matrix(difference)} = zero _ _)%M) by (rewrite same'; apply minus_itself)."
+        none = f"({self.spelling.matrix(difference)} = zero _ _)%M"
+        yield f"assert (none' : {none}) by (apply no_difference; exact same')."
         yield "rewrite none', times_zero, zero_times, trace_zero in less'. symmetry in less'."
         yield "apply Ropp_eq_0_compat in less'. rewrite Ropp_involutive in less'. terms_vanish less'."
 

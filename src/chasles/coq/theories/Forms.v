@@ -88,6 +88,8 @@ Proof.
   apply same_entries. intros i j. rewrite entry_zero. unfold minus. rewrite entry_matrix.
   destruct (Nat.ltb i m), (Nat.ltb j n); ring.
 Qed.
+Lemma no_difference {m n} (A B : M m n) : A = B -> (A - B)%M = zero m n.
+Proof. intros ->. apply minus_itself. Qed.
 Lemma same_as {m n} (A B : M m n) : (A - B)%M = zero m n -> A = B.
 Proof.
   intro Z. apply same_entries. intros i j. rewrite (entry_inside A), (entry_inside B).
