@@ -11,8 +11,9 @@ from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
 from chasles.coq.folder import chunks
 from chasles.coq.theorems import claims_of
 from chasles.decisions.session import Session
-from chasles.statements import Theorem, definite, nonzero, positive, unit
+from chasles.statements import Claim, Theorem, definite, nonzero, positive, unit
 from chasles.statements.forms import Definite, Exists, Form, Iff, Minimum, OnlyWhere, Unique
+from chasles.statements.inequalities import inequality
 
 A = w.square("A", "A", "a matrix")
 x, b, u = (w.vector(name, name, "a vector") for name in "xbu")
@@ -46,6 +47,15 @@ THEOREMS: dict[str, tuple[Form, tuple[object, ...]]] = {
 
 STRONGER = {"0 <= dot": "0 < dot", " -> (x = x_other)%M": " -> (x = b_)%M", " -> k ^ 2": " -> 1 + k ^ 2"}
 
+COMPARED = {
+    "a divisor": Claim("1", (m * x + k * u) / m, x + k / m * u, assuming=(inequality(m > 0),)),
+    "not needed": Claim("2", w.cross(x, u), -w.cross(u, x), assuming=(inequality(k <= m),)),
+    "moving": Claim(
+        "3", w.rate(y * x) / (m - k), (w.rate(y) * x + y * w.rate(x)) / (m - k), assuming=(inequality(k < m),)
+    ),
+    "failing": Claim("4", w.dot(x, u), w.dot(u, x) + k, assuming=(inequality(w.dot(x, x) >= 1),), sic=True),
+}
+
 
 def theorem(name: str) -> Theorem:
     form, assuming = THEOREMS[name]
@@ -77,3 +87,19 @@ def test_coq_accepts_them_and_nothing_more() -> None:
     assert len(more) == 3
     accepted = {found.claim.name for found in verdicts_of_coq(chunks([*claims, *more])) if found.accepted}
     assert accepted == {claim.name for claim in claims}
+
+
+@pytest.mark.parametrize("name", COMPARED)
+def test_what_is_compared_is_assumed_as_a_comparison(name: str) -> None:
+    claims = [*claims_of([Session().decide(COMPARED[name])])]
+    assert all(claim.proof and "root_of" not in claim.said for claim in claims)
+    assert any(sign in claims[0].said for sign in ("  0 < m ->", "0 < m t - k t", "  0 <= "))
+
+
+@pytest.mark.skipif(coq_version() is None, reason=MISSING)
+@pytest.mark.slow
+def test_coq_accepts_what_is_said_under_comparisons() -> None:
+    claims = []
+    for claim in COMPARED.values():
+        claims += [*claims_of([Session().decide(claim)])]
+    assert all(found.accepted for found in verdicts_of_coq(chunks(claims)))

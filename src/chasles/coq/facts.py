@@ -159,6 +159,8 @@ class KnownFacts:
         problem = self.instant.problem
         divisors = [(h, node) for h in problem.hypotheses for node in h.nonvanishing]
         for k, (hypothesis, node) in enumerate(divisors):
+            if hypothesis.kind == "inequality" and node != hypothesis.subjects[0]:
+                continue  # the root of the difference, of which no statement speaks
             if any(self.said.runs(part) for part in w.walk(node)) and not isinstance(node, w.Integral):
                 continue
             source = self.instant.source(hypothesis)
@@ -166,7 +168,7 @@ class KnownFacts:
                 if hypothesis.subjects[0].shape != (3, 3):
                     raise Unsaid(f"the determinant of a matrix that is {hypothesis.text}")
                 source = f"(Rgt_not_eq _ _ (definite_determinant _ {source}))"
-            elif hypothesis.kind == "positive":
+            elif hypothesis.kind in ("positive", "inequality"):
                 source = f"(Rgt_not_eq _ _ {source})"
             factor = self.spell(self.reading.nonzero[k])
             below = self.spell.product(cleared(self.reading(node)[0][0], self.reading.nonzero)[1])

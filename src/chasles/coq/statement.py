@@ -63,8 +63,10 @@ class CoqStatement:
 
     def _nodes(self) -> Iterator[w.Node]:
         said = [h for h in self.problem.hypotheses if h.kind != "given"]
-        pairs = (*self.problem.rules, *(equation for h in said for equation in h.equations))
-        parts = chain(self.problem.sides, chain.from_iterable(pairs), *(h.subjects for h in said))
+        by_sign = {h for h in said if h.kind == "inequality"}  # the root of the difference is not spoken of
+        pairs = (*self.problem.rules, *(equation for h in said if h not in by_sign for equation in h.equations))
+        subjects = (h.subjects[:1] if h in by_sign else h.subjects for h in said)
+        parts = chain(self.problem.sides, chain.from_iterable(pairs), *subjects)
         return chain.from_iterable(map(opened, parts))
 
     def _differentiated(self, node: w.Node, order: int) -> Iterator[w.Rate]:
@@ -182,6 +184,8 @@ class CoqStatement:
             return f"{KINDS[hypothesis.kind]} {' '.join(self.spelling.matrix(each, ATOM) for each in subjects)}"
         if hypothesis.kind == "positive":
             return f"0 < {self.spelling.number(subjects[0])}"
+        if hypothesis.kind == "inequality":
+            return f"0 {'<' if hypothesis.nonvanishing else '<='} {self.spelling.number(subjects[0])}"
         if hypothesis.kind in ("nonzero", "evident"):
             return f"{self.spelling.number(hypothesis.nonvanishing[0])} <> 0"
         if hypothesis.kind in BY_EQUATIONS and not hypothesis.nonvanishing:
