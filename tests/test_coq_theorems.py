@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 
 from chasles import vocabulary as w
+from chasles.coq import checking
 from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
 from chasles.coq.folder import chunks
 from chasles.coq.theorems import claims_of
@@ -103,3 +106,21 @@ def test_coq_accepts_what_is_said_under_comparisons() -> None:
     for claim in COMPARED.values():
         claims += [*claims_of([Session().decide(claim)])]
     assert all(found.accepted for found in verdicts_of_coq(chunks(claims)))
+
+
+def test_a_file_that_takes_too_long_is_halved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A theorem is refused for its own time, not for that of the others in its file."""
+
+    def compiled(folder: Path, name: str, text: str) -> CompletedProcess[str]:
+        count = text.count("Theorem ") if name.startswith("Proofs") else 0
+        killed = count > 1 or (count == 1 and "eq_1_1_slow" in text)
+        return CompletedProcess([], -24 if killed else 0, "Closed under the global context", "")
+
+    monkeypatch.setattr(checking, "_compiled", compiled)
+    monkeypatch.setattr(checking, "compile_theories", lambda *_: None)
+    first, *_ = claims_of([Session().decide(theorem("a root"))])
+    names = ("eq_1_1_a", "eq_1_1_b", "eq_1_1_slow", "eq_1_1_c", "eq_1_1_d")
+    claims = [replace(first, name=name, proof=first.proof.replace(first.name, name)) for name in names]
+    found = [*verdicts_of_coq(chunks(claims))]
+    assert [each.claim.name for each in found if not each.accepted] == ["eq_1_1_slow"]
+    assert len(found) == len(claims)

@@ -131,7 +131,7 @@ def _judged(folder: Path, part: Chunk, claims: list[Claimed]) -> list[CoqVerdict
 
 
 def _proved(folder: Path, part: Chunk, claims: list[Claimed]) -> Iterator[CoqVerdict]:
-    """Coq stops at the first theorem that it refuses; it goes on with the next one."""
+    """Coq stops at the first theorem that it refuses, and goes on with the next one; what takes too long, it halves."""
     waiting = []
     for claim in claims:
         if found := FORBIDDEN.search(claim.proof):
@@ -144,6 +144,10 @@ def _proved(folder: Path, part: Chunk, claims: list[Claimed]) -> Iterator[CoqVer
         done = _compiled(folder, part.proofs, part.proved({claim.name for claim in waiting}))
         if not done.returncode:
             yield from _resting(folder, part, waiting, done.stdout)
+            return
+        if done.returncode < 0 and len(waiting) > 1:  # a file takes longer than its theorems do alone
+            half = len(waiting) // 2
+            yield from (found for each in (waiting[:half], waiting[half:]) for found in _proved(folder, part, each))
             return
         proved = len(PROVED.findall(done.stdout))
         yield CoqVerdict(waiting.pop(min(proved, len(waiting) - 1)), _reason(done))
