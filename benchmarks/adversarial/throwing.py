@@ -63,7 +63,7 @@ def kernels_of(names: Iterable[str] = ()) -> list[Tried]:
             if not wanted or request.name in wanted:
                 found.append((entry, request))
     entries = {id(entry): entry for entry, _ in found}
-    made = {kernel.name: kernel for kernel in commissioned(entries.values(), prover, folder)}
+    made = {kernel.name: kernel for kernel in commissioned(entries.values(), prover, folder).kernels}
     return [Tried(made[request.name], _groups(request)) for _, request in found]
 
 
