@@ -119,15 +119,16 @@ def _only_proves(way: Mapping[str, Any]) -> bool:
     return way.get("other") not in (None, plainer)
 
 
-def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, **way: Any) -> Verdict:
-    """The verdict on a claim as it is read in one way."""
+def _proved(
+    lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: bool, counted: bool = False, **way: Any
+) -> Verdict:
+    """The verdict on a claim as it is read in one way; powers are products where they may be `counted`."""
     try:
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
-        said = _said(way, exact, lhs, rhs, given, nonzero)
+        said = as_said(exact, lhs, rhs, given, nonzero, **way)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         with within(seconds=budget):
-            counted = "counted" in way
             readings = zip(WAYS[:1] * 2 if counted else WAYS, readings_of(calls.said, counted), strict=False)
             ways = [(verdict_at_any_size, said)] if of_any_size else readings
             verdict, asked = _first_decided(ways, calls)
@@ -148,16 +149,7 @@ def _proved(lhs: Any, rhs: Any, given: Any, nonzero: Any, budget: float, exact: 
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     lhs, rhs = (relation_of(lhs, rhs), None) if "other" in way else (lhs, rhs)
-    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, **_worded(way))))
-
-
-def _said(way: Mapping[str, Any], exact: bool, *asked: Any) -> tuple[Any, ...]:
-    return as_said(exact, *asked, **_worded(way))
-
-
-def _worded(way: Mapping[str, Any]) -> dict[str, Any]:
-    """How a claim is worded, whether or not its powers are products."""
-    return {how: said for how, said in way.items() if how != "counted"}
+    return replace(verdict, asked=(*said, claimed(lhs, rhs, given, **way)))
 
 
 def _first_decided(ways: Iterable[tuple[Callable[..., Verdict], Said]], calls: Calls) -> tuple[Verdict, Said]:
@@ -208,13 +200,14 @@ def recheck(
         if isinstance(verdict, Fails) and _only_proves(way):
             continue
         try:
-            return _recheck(verdict, _said(way, exact, lhs, rhs, given, nonzero), "counted" in way)
+            return _recheck(verdict, exact, lhs, rhs, given, nonzero, **way)
         except (Untreatable, Rejected) as reason:
             reasons.append(reason)
     raise Rejected(str(reasons[0])) from None
 
 
-def _recheck(verdict: Verdict, said: Said, counted: bool) -> None:
+def _recheck(verdict: Verdict, exact: bool, *asked: Any, counted: bool = False, **way: Any) -> None:
+    said = as_said(exact, *asked, **way)
     if has_letters_for_sizes(expressions_in(said)):
         with well_formed("verdict"):
             check_at_any_size(verdict, *said)
@@ -223,11 +216,11 @@ def _recheck(verdict: Verdict, said: Said, counted: bool) -> None:
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
         raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
     reasons = []
-    for asked in readings_of(calls.said, counted):
+    for read in readings_of(calls.said, counted):
         try:
             with well_formed("verdict"):
-                require_no_imaginary(calls.said, asked)
-                _check_reading(verdict, [*definitions(said, asked), *calls.defined], asked)
+                require_no_imaginary(calls.said, read)
+                _check_reading(verdict, [*definitions(said, read), *calls.defined], read)
                 require_possible(verdict, calls)
             return
         except Rejected as reason:

@@ -34,7 +34,7 @@ class Inverses:
 
     def __call__(self, node: Node) -> Node:
         """The node with every inverse in it said in other words."""
-        found = tuple(dict.fromkeys(part for part in opened_parts(node) if isinstance(part, w.Inverse)))
+        found = _inverses(node)
         return w.replace(node, {inverse: self._inverse(inverse.of) for inverse in found}) if found else node
 
     def hypothesis(self, said: Hypothesis) -> Hypothesis:
@@ -111,6 +111,10 @@ class Inverses:
 
 
 @lru_cache(maxsize=4096)
+def _inverses(node: Node) -> tuple[w.Inverse, ...]:
+    return tuple(dict.fromkeys(part for part in opened_parts(node) if isinstance(part, w.Inverse)))
+
+
 def _is_zero(block: Node) -> bool:
     return isinstance(block, w.Zero) or (isinstance(block, w.Number) and not block.value)
 
