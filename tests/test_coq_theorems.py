@@ -74,8 +74,9 @@ def test_every_form_has_words_and_a_proof(name: str) -> None:
 
 @pytest.mark.skipif(coq_version() is None, reason=MISSING)
 @pytest.mark.slow
-def test_coq_accepts_them_and_nothing_more() -> None:
+def test_coq_accepts_them_and_nothing_more(coq_cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What is said of definite forms is that they are not negative; that they are positive, Coq refuses."""
+    monkeypatch.setenv("CHASLES_CACHE", str(coq_cache))
     claims, more = [], []
     for each in THEOREMS:
         claim, *_ = claims_of([Session().decide(theorem(each))])
@@ -101,7 +102,8 @@ def test_what_is_compared_is_assumed_as_a_comparison(name: str) -> None:
 
 @pytest.mark.skipif(coq_version() is None, reason=MISSING)
 @pytest.mark.slow
-def test_coq_accepts_what_is_said_under_comparisons() -> None:
+def test_coq_accepts_what_is_said_under_comparisons(coq_cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CHASLES_CACHE", str(coq_cache))
     claims = []
     for claim in COMPARED.values():
         claims += [*claims_of([Session().decide(claim)])]
