@@ -129,7 +129,7 @@ def _proved(
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         with within(seconds=budget):
-            readings = zip(WAYS[:1] * 2 if counted else WAYS, readings_of(calls.said, counted), strict=False)
+            readings = zip(WAYS[:1] * 3 if counted else WAYS, readings_of(calls.said, counted), strict=False)
             ways = [(verdict_at_any_size, said)] if of_any_size else readings
             verdict, asked = _first_decided(ways, calls)
     except RecursionError as error:

@@ -203,7 +203,8 @@ def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | No
 
     Nothing is lost by putting it in: the angle is no rate, and neither it nor a rate of it occurs in the value.
     """
-    terms = sympy.expand(difference).as_coefficients_dict()
+    difference, below = sympy.fraction(sympy.together(difference))
+    terms = sympy.expand(difference).as_coefficients_dict() if nonzero_by_sign(below) else {sympy.nan: sympy.S.One}
     if not all(term in (sympy.pi, sympy.S.One) or is_atom(term) for term in terms):
         return None
     moved = [term.expr for term in terms if isinstance(term, sympy.Derivative)]

@@ -73,11 +73,13 @@ def require_new(symbols: Iterable[Any], said: Any) -> None:
 
 
 def readings_of(said: Said, counted: bool = False) -> Iterator[Said]:
-    """The question with equations for inequalities, in one or two ways; those alone with what may be `counted`."""
+    """The question with equations for inequalities, in one to three ways; those alone with what may be `counted`."""
     plain = without_integrals(said)
     yield from _as_counted(first := without_inequalities(plain), counted)
     if first is not plain and (other := without_inequalities(plain, by_excess=True)) != first:
         yield from _as_counted(other, counted)
+        if (by_sine := without_inequalities(plain, by_sine=True)) not in (first, other):
+            yield from _as_counted(by_sine, counted)
 
 
 def _as_counted(asked: Said, counted: bool) -> Iterator[Said]:

@@ -58,10 +58,6 @@ def _proved_by_cases(*asked: Any) -> Verdict:
     return _followed(splitting.verdict(refuting=False), asked) if splitting.possible else Undecided("the shapes differ")
 
 
-WAYS = _decided_or_by_induction, _proved_by_cases
-"""How the first reading of inequalities is decided, and the second."""
-
-
 def _verdict(*asked: Any) -> Verdict:
     """The verdict on the question as it stands; else by cases, or on a more general one."""
     lhs, rhs, given, nonzero = asked
@@ -89,6 +85,10 @@ def _verdict(*asked: Any) -> Verdict:
     if isinstance(verdict, Undecided) and refused is not None:
         raise refused
     return verdict
+
+
+WAYS = _decided_or_by_induction, _proved_by_cases, _verdict
+"""How the first reading of inequalities is decided, the second, and the third."""
 
 
 def _contradictory(given: Any, nonzero: Any) -> Contradictory | None:

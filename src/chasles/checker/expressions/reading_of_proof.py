@@ -205,7 +205,7 @@ class Proven(KnownRoots):
         """Let an angle have the value that an equation given says it has."""
         e = next((e for e in self.atoms.values() if str(e) == spelled), None)
         pairs = [pair for item in asked.given if item.text == text for pair in item.pairs.values()]
-        if not any(eliminate_angle(self, self(left) - self(right), e) for left, right in pairs):
+        if not any(eliminate_angle(self, self.cleared(self(left) - self(right))[0], e) for left, right in pairs):
             raise Rejected(f"{text} does not say what {spelled} is")
         self.substituted.append(text)
 

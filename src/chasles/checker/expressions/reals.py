@@ -143,7 +143,7 @@ class Reals(QuotientRing):
         """The value of a function: exp, log, cos, sin, or arc, the angle of the point of which y and x are given."""
         values = tuple(map(self.normal, arguments))
         if function == "arc":
-            return self._angle(*values)
+            return self._angle(*values) if (part := self.part_of_turn(*values)) is None else self.pi * number(part)
         if function == "root":
             return self.called("exp", self.called("log", values[0]) * values[1])
         (value,) = values
@@ -181,7 +181,10 @@ class Reals(QuotientRing):
 
         A power of x + i y is real then; which of the roots of a real number it is tells how near the angle is.
         """
-        angle, pi = (self._enclosed(self.normal(value), DIGITS[0]) for value in (self._angle(y, x), self.pi))
+        try:
+            angle, pi = (self._enclosed(self.normal(value), DIGITS[0]) for value in (self._angle(y, x), self.pi))
+        except Unbounded:
+            return None
         multiple = Fraction(angle.low, pi.low).limit_denominator(LARGEST_PART)
         if not self.vanishes(self.complex_power(x, y, multiple.denominator)[1]):
             return None

@@ -9,7 +9,6 @@ from fractions import Fraction
 import sympy
 
 from chasles.checker.expressions.expressions import Expressions
-from chasles.checker.expressions.intervals import Unbounded
 from chasles.checker.expressions.reals import Reals
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, exponents, number, variable
 
@@ -89,7 +88,7 @@ class Symbolic(Expressions):
 
     def part_of_turn(self, y: Polynomial, x: Polynomial) -> Fraction | None:
         """The multiple of pi that is the angle of a point, which is of numbers, if it is seen to be one."""
-        with suppress(Rejected, Unbounded):
+        with suppress(Rejected):
             return self.reals.part_of_turn(*map(self._numbers, (y, x)))
         return None
 
