@@ -104,9 +104,14 @@ def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said
 
 
 def _with_signs_seen(e: Any, new: set[Any]) -> Any:
-    """The expression with products where signs of new symbols matter: in divisors, radicands and functions."""
+    """The expression with products where signs of new symbols matter: in divisors, radicands and functions.
+
+    Functions of a multiple of an inverse function are said by that of the whole.
+    """
     if not e.args or not e.free_symbols & new:
         return e
+    if type(e) in CIRCULAR and isinstance(e.args[0].as_coeff_Mul()[1], sympy.atan):
+        e = sympy.together(sympy.expand_trig(e))
     power = e.is_Pow and e.exp.is_Rational and not (e.exp.is_Integer and e.exp > 0)
     if power or (isinstance(e, sympy.Function) and len(e.args) == 1 and type(e) not in CIRCULAR):
         inside = sympy.factor(sympy.together(e.args[0]))

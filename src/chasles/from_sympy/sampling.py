@@ -1,7 +1,8 @@
 """Points that satisfy every condition, and at which two sides are certainly different: their values enclosed.
 
-What is refuted so needs no algebra of the functions that occur. An equation that is given is satisfied exactly: it is
-linear or quadratic in one of its atoms, which is solved for, or it holds in rational arithmetic.
+What is refuted so needs no algebra of the functions that occur. An equation that is given is satisfied exactly: it, or
+that of the squares of its sides, is linear or quadratic in one of its atoms, which is solved for, or it holds in
+rational arithmetic.
 """
 
 from __future__ import annotations
@@ -147,20 +148,15 @@ class _Solved:
         self.values: dict[Any, Any] = {}
         self.slopes: list[Any] = []
         self.left: list[Any] = []
+        self.rooted: list[Any] = []
         self.quadratic: dict[Any, tuple[Any, Any, Any]] = {}
         for one, other in given:
-            difference = self._without_denominators(one - other)
-            for atom in sorted(_of_degree(difference, 1), key=lambda atom: (atom in last, str(atom))):
-                slope = sympy.diff(difference, atom)
-                if slope != 0 and not slope.has(atom):
-                    value = -difference.xreplace({atom: sympy.S.Zero}) / slope
-                    self.values = {known: e.xreplace({atom: value}) for known, e in self.values.items()}
-                    self.values[atom] = value
-                    self.slopes.append(slope)
-                    break
-            else:
+            if rooted := not (_has_roots(one**2) or _has_roots(other**2)) and _has_roots(one - other):
+                self.rooted.append(one - other)
+            difference = self._put_in(one**2 - other**2 if rooted else one - other)
+            if not (self._solve(difference, last) or self._solve(_numerator(difference), last)):
                 self.left.append(difference)
-        self.left = [e for e in map(self._without_denominators, self.left) if e != 0]
+        self.left = [e for e in map(_numerator, map(self._put_in, self.left)) if e != 0]
         for difference in self.left:
             for atom in sorted(_of_degree(difference, 2) - self.quadratic.keys(), key=str):
                 slope = sympy.diff(difference, atom)
@@ -170,15 +166,23 @@ class _Solved:
                     self.quadratic[atom] = twice / 2, b, c
                     break
 
-    def _without_denominators(self, difference: Any) -> Any:
+    def _solve(self, difference: Any, last: Sequence[Any]) -> bool:
+        """Whether something that vanishes is linear in an atom, which has the value then that it says."""
+        for atom in sorted(_of_degree(difference, 1), key=lambda atom: (atom in last, str(atom))):
+            slope = sympy.diff(difference, atom)
+            if slope != 0 and not slope.has(atom):
+                value = -difference.xreplace({atom: sympy.S.Zero}) / slope
+                self.values = {known: e.xreplace({atom: value}) for known, e in self.values.items()}
+                self.values[atom] = value
+                self.slopes.append(slope)
+                return True
+        return False
+
+    def _put_in(self, difference: Any) -> Any:
         """What vanishes by what is solved for, without what the values of that divide by."""
         difference = sympy.expand(difference)
         known = difference.xreplace(self.values)
-        if known == difference:
-            return known
-        _afford_numerator(known)
-        whole = sympy.cancel if known.is_rational_function(*known.free_symbols) else sympy.together
-        return sympy.expand(sympy.fraction(whole(known))[0])
+        return known if known == difference else _numerator(known)
 
     def roots(self, values: dict[Any, Any]) -> dict[Any, Any]:
         """Atoms whose squares equations say, where there are real ones; with the sign that they had, if one has."""
@@ -194,7 +198,21 @@ class _Solved:
     def satisfied(self, enclosures: Enclosures) -> bool:
         """Whether all of them hold, exactly."""
         known = all(map(enclosures.sign, self.slopes))
-        return known and all(sympy.expand(e.xreplace(enclosures.point)) == 0 for e in self.left)
+        return known and all(sympy.expand(e.xreplace(enclosures.point)) == 0 for e in (*self.left, *self.rooted))
+
+
+def _numerator(e: Any) -> Any:
+    """What is left of a sum without what it divides by; raises `OutOfTime` if it may have more terms than can be."""
+    if e.is_polynomial():
+        return e
+    _afford_numerator(e)
+    whole = sympy.cancel if e.is_rational_function(*e.free_symbols) else sympy.together
+    return sympy.expand(sympy.fraction(whole(e))[0])
+
+
+def _has_roots(e: Any) -> bool:
+    """Whether square roots of what is no number are in it."""
+    return any(power.exp.is_Rational and power.exp.q == 2 and power.base.free_symbols for power in e.atoms(sympy.Pow))
 
 
 def _of_degree(difference: Any, degree: int) -> set[Any]:
