@@ -27,7 +27,7 @@ from chasles.from_sympy.inequalities import COMPARED, Said, definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt
-from chasles.from_sympy.sufficient import of_values, where_it_rises, with_name
+from chasles.from_sympy.sufficient import of_values, where_it_rises, with_name, without_inverse
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
@@ -102,7 +102,7 @@ def _other_ways(lhs: Any, rhs: Any, given: Any) -> Iterator[Mapping[str, Any]]:
         claim, given = without_implication(relation_of(lhs, rhs), given)
         if isinstance(claim, COMPARED) and any(map(counts, claim.atoms(sympy.Pow, sympy.factorial))):
             yield {"counted": True}
-        for said in (plainer, with_name, where_it_rises) if rhs is None else ():
+        for said in (plainer, with_name, where_it_rises, without_inverse) if rhs is None else (without_inverse,):
             with suppress(RecursionError, Rejected, *FAILURES):
                 if said(claim) is not claim:
                     yield {"other": said}

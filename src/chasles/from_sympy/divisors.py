@@ -11,6 +11,7 @@ import sympy
 from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.visible import signs_of
 from chasles.from_sympy.atoms import real_copy
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.opening import FunctionSymbol, Signed
@@ -36,6 +37,7 @@ def divisor_of(expression: Any, origins: Mapping[Any, Any] = {}) -> DivisorText:
     seen = copy.is_positive or copy.is_negative or (copy.is_nonzero and not named)
     evident = (not value.free_symbols and value != 0) or bool(seen and not expression.has(Signed))
     spelled = expression if named else expression.xreplace(origins)
+    evident = evident or (not named and spelled.has(sympy.Pow) and 0 not in signs_of(spelled))
     return DivisorText(f"{spelled} {'> 0' if expression.is_positive else '!= 0'}", evident)
 
 

@@ -29,6 +29,7 @@ MONOTONE: Mapping[type, tuple[int, Any, Any]] = {
     sympy.cosh: (1, S.Zero, S.Infinity),
 }  # fmt: skip
 """Whether a function rises or falls, and between which arguments."""
+HYPERBOLIC: Mapping[type, Any] = {sympy.asinh: sympy.sinh, sympy.acosh: sympy.cosh, sympy.atanh: sympy.tanh}
 REAL = (*INVERSES, sympy.exp, sympy.sinh, sympy.cosh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf)
 """Those that are real everywhere between them."""
 SIGNED = {
@@ -81,6 +82,27 @@ def of_values(claim: Any, given: Any) -> Iterator[Any]:
         if real and known and sympy.false not in ends:
             order = claim.func(*values, evaluate=False)
             yield sympy.And(order, *(end for end in ends if end is not sympy.true), evaluate=False)
+
+
+def without_inverse(claim: Any) -> Any:
+    """An equation solved for the value of an inverse hyperbolic function, said of that of which it is; or the same.
+
+    asinh(x) + asinh(y) = asinh(z) if sinh(asinh(x) + asinh(y)) = z. The argument is the largest.
+    """
+    if not _is_real(claim, (sympy.Equality,)):
+        return claim
+    terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(claim.lhs - claim.rhs)]
+    calls = sorted(
+        ((c, e) for c, e in terms if type(e) in HYPERBOLIC), key=lambda term: (-term[1].count_ops(), str(term))
+    )
+    if not calls or len(terms) < 3:
+        return claim
+    multiple, call = calls[0]
+    rest = sympy.Add(*(-c / multiple * e for c, e in terms if e != call))
+    said = HYPERBOLIC[type(call)](rest, evaluate=False), call.args[0]
+    if isinstance(call, sympy.acosh):  # which is the one that is not negative
+        said = sympy.Matrix([said[0], sympy.Abs(rest)]), sympy.Matrix([said[1], rest])
+    return sympy.Eq(*said, evaluate=False)
 
 
 def _is_real(claim: Any, kinds: tuple[Any, ...] = COMPARED) -> bool:

@@ -181,15 +181,13 @@ class Reals(QuotientRing):
 
         A power of x + i y is real then; which of the roots of a real number it is tells how near the angle is.
         """
-        try:
+        with suppress(Unbounded):
             angle, pi = (self._enclosed(self.normal(value), DIGITS[0]) for value in (self._angle(y, x), self.pi))
-        except Unbounded:
-            return None
-        multiple = Fraction(angle.low, pi.low).limit_denominator(LARGEST_PART)
-        if not self.vanishes(self.complex_power(x, y, multiple.denominator)[1]):
-            return None
-        doubt = max(abs(end - multiple * half) for end in (angle.low, angle.high) for half in (pi.low, pi.high))
-        return multiple if 2 * doubt * multiple.denominator < pi.low else None
+            multiple = Fraction(angle.low, pi.low).limit_denominator(LARGEST_PART)
+            doubt = max(abs(end - multiple * half) for end in (angle.low, angle.high) for half in (pi.low, pi.high))
+            real = self.vanishes(self.complex_power(x, y, multiple.denominator)[1])
+            return multiple if real and 2 * doubt * multiple.denominator < pi.low else None
+        return None
 
     def _arc(self, tangent: Polynomial) -> Polynomial:
         numerator, below = self.cleared(tangent)

@@ -74,6 +74,7 @@ def _strictly(
     """Whether a polynomial is visibly positive rather than not negative; None where neither is visible.
 
     It is more by a square than what is left when that is completed; after the first one they are taken in order.
+    Of what a sum of roots or circles needs, the last is positive if the sum is.
     """
     if (strict := _by_terms(reading, polynomial)) is not None or (strict := _in_one(reading, polynomial)) is not None:
         return strict
@@ -81,8 +82,8 @@ def _strictly(
         if (strict := _strictly(reading, reading.normal(rest), squares - 1, bounds)) is not None:
             return strict
     for needed in chain(_by_roots(reading, polynomial), _by_circles(reading, polynomial)) if bounds else ():
-        if all(_strictly(reading, reading.normal(each), bounds=bounds - 1) is not None for each in needed):
-            return False
+        if None not in (found := [_strictly(reading, reading.normal(e), bounds=bounds - 1) for e in needed]):
+            return found[-1]
     return None
 
 
@@ -137,7 +138,7 @@ def _by_circles(reading: SignedReading, polynomial: Polynomial) -> Iterator[tupl
         if not parts and not (e or f) and (b or d):
             yield a, a * a - b * b - d * d
         elif not parts and not (b or d) and (e or f):
-            yield (a, a + e, a * (a + e) * number(4) - f * f) if f else (a, a + e)
+            yield a, a + e, a * (a + e) * number(4) - f * f
 
 
 def _grouped(polynomial: Polynomial, places: Collection[int]) -> dict[int, Polynomial]:

@@ -21,15 +21,16 @@ from chasles.checker.sparse import Rejected, limited
 
 MOST_PRODUCTS = 10_000
 ALWAYS = {
-    sympy.exp: "positive", sympy.cosh: "positive", sympy.Abs: "nonnegative", Floor: "integer",
+    **dict.fromkeys((sympy.exp, sympy.cosh), "positive"), Floor: "integer",
+    **dict.fromkeys((sympy.Abs, sympy.acosh, sympy.asech), "nonnegative"),
     **dict.fromkeys((sympy.sin, sympy.cos, sympy.Max, sympy.Min), "real"),
 }  # fmt: skip
 """What values at real arguments are."""
 INHERITED = {
-    Floor: ("nonnegative",), sympy.Abs: ("nonzero",), sympy.gamma: ("positive",),
+    Floor: ("nonnegative",), sympy.Abs: ("nonzero",), **dict.fromkeys((sympy.gamma, sympy.acosh), ("positive",)),
     **dict.fromkeys((sympy.sinh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf, sympy.log), tuple(SIGNS)),
 }  # fmt: skip
-"""And what they are where their arguments are so; a logarithm, where it is so of one less."""
+"""And what they are where their arguments are so; some, where it is so of one less."""
 LEAST = {"composite": 4, "prime": 2, "positive": 1, "negative": 1, "nonnegative": 0, "nonpositive": 0}
 """The least size of an integer of which this is so."""
 
@@ -98,7 +99,8 @@ def is_running(index: Any, ends: Iterable[Any], kind: str = "integer") -> bool:
 def assumed_of(e: Any) -> dict[str, bool]:
     """What is known of the value of a function at real arguments, or of one over it."""
     call = 1 / e if e.is_Pow else e
-    known = kinds_of(signs_of(call.args[0] - int(isinstance(call, sympy.log))), INHERITED.get(call.func, ()))
+    least = int(isinstance(call, sympy.log | sympy.acosh))
+    known = kinds_of(signs_of(call.args[0] - least), INHERITED.get(call.func, ()))
     return known | {ALWAYS[call.func]: True} if call.func in ALWAYS else known
 
 
