@@ -17,13 +17,14 @@ from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for_sizes
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.any_size import verdict_at_any_size
+from chasles.from_sympy.bounded_symbols import COMPARED, Said
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.components import claimed, is_implication, relation_of, without_implication
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.handed_in import as_said, possible_verdict, readings_of, require_no_imaginary, require_possible
 from chasles.from_sympy.induction import counts
-from chasles.from_sympy.inequalities import COMPARED, Said, definitions
+from chasles.from_sympy.inequalities import definitions
 from chasles.from_sympy.methods import WAYS, check
 from chasles.from_sympy.monotone import plainer
 from chasles.from_sympy.opening import excerpt

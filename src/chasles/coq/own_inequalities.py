@@ -18,8 +18,9 @@ from chasles.coq.expressions import Unsaid
 from chasles.coq.of_sympy import ScalarStatement, SympyStatement, in_entries, in_parts, term_by_term
 from chasles.coq.sentences import asserted, introduced
 from chasles.coq.sympy_words import SAID, SympyWords
+from chasles.from_sympy.bounded_symbols import COMPARED, STRICT, Said
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.inequalities import COMPARED, STRICT, Said, signed, without_inequalities
+from chasles.from_sympy.inequalities import signed, without_inequalities
 from chasles.statements import Hypothesis, Problem
 
 Values = dict[Any, Any]

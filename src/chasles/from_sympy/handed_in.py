@@ -16,13 +16,14 @@ from sympy.matrices import MatrixExpr
 
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.sparse import Rejected
+from chasles.from_sympy.bounded_symbols import COMPARED, Said
 from chasles.from_sympy.calls import Calls, value_of
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.components import in_components, relation_of, sides_of, without_implication
 from chasles.from_sympy.decimals import as_decimals, each_replaced
 from chasles.from_sympy.domains import also_defined, cancelled, lost_in
 from chasles.from_sympy.induction import stepwise
-from chasles.from_sympy.inequalities import COMPARED, Said, without_inequalities
+from chasles.from_sympy.inequalities import without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed

@@ -16,7 +16,7 @@ from chasles.checker.expressions.induction import LONG, Question, joined, least_
 from chasles.checker.expressions.quantities import with_values
 from chasles.checker.expressions.readings import is_integral
 from chasles.checker.sparse import Rejected
-from chasles.from_sympy.inequalities import Said
+from chasles.from_sympy.bounded_symbols import Said
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Verdict
 

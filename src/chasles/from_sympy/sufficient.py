@@ -15,8 +15,8 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from chasles.checker.expressions.visible import signs_of
+from chasles.from_sympy.bounded_symbols import COMPARED, STRICT
 from chasles.from_sympy.domains import BINDING
-from chasles.from_sympy.inequalities import COMPARED, STRICT
 from chasles.from_sympy.monotone import RISING
 from chasles.from_sympy.side_conditions import listed
 
