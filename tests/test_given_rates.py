@@ -8,9 +8,9 @@ import pytest
 
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Definition, symmetric
+from chasles.statements import Claim, Condition, Definition, positive, symmetric
 from chasles.verdict import Fails, Holds, HoldsUnder
-from chasles.vocabulary import CPM, Identity, cos, dot, rate, scalar, sin, square, vector
+from chasles.vocabulary import CPM, Identity, column, cos, cross, dot, norm, rate, scalar, sin, square, vector
 from chasles.vocabulary.functions import exp, log, sqrt
 
 UNITS = False
@@ -67,3 +67,46 @@ def test_symmetric_matrices_beside_functions(left: Any, right: Any) -> None:
 @pytest.mark.parametrize(("left", "right", "given"), FALSE, ids=str)
 def test_false_ones_are_refuted(left: Any, right: Any, given: Any) -> None:
     assert isinstance(Session().decide(Claim("5", left, right, given=given)).verdict, Fails)
+
+
+r, v = vector("r", "r", ""), vector("v", "v", "")
+d = scalar("d", "d", "")
+mu, e, p, h, m = (scalar(name, name, "", constant=True) for name in ("mu", "e", "p", "h", "m"))
+length = Definition("6", d, norm(r), assuming=(positive(d),))
+velocity = Definition("7", v, rate(r))
+ATTRACTION = [
+    Condition("8", rate(v), -mu / d**3 * r, on=(v,), given=(length,)),
+    Condition("8", rate(v) + mu / d**3 * r, column(0, 0, 0), on=(v,), given=(length,)),
+    Condition("8", m * rate(v), -m * mu / d**3 * r, on=(v,), given=(length,), assuming=(positive(m),)),
+]
+
+
+@pytest.mark.parametrize("law", ATTRACTION, ids=lambda law: str(law.left))
+@pytest.mark.parametrize("w", [v, rate(r)], ids=str)
+def test_a_law_for_what_is_defined_as_a_rate_is_a_law_for_what_it_is_the_rate_of(law: Condition, w: Any) -> None:
+    """Once this was refused: a definition of v, and a condition on it."""
+    given = (velocity, law, length)
+    for left, right, wrong in (
+        (rate(cross(r, w)), column(0, 0, 0), r),
+        (rate(dot(w, w) / 2 - mu / d), 0 * mu, mu),
+        (rate(rate(r)), -mu / d**3 * r, mu / d**3 * r),
+    ):
+        claim = Claim("9", left, right, given=given)
+        verdict = Session().decide(claim).verdict
+        assert verdict.true, verdict
+        check(claim, "printed", verdict.certificate)
+        assert Session().decide(Claim("9", left, wrong, given=given)).verdict.wrong
+
+
+def test_that_something_moving_is_positive_is_given() -> None:
+    """An absolute value was differentiated, twice where a rate is given."""
+    nu = scalar("nu", "nu", "")
+    conic = Definition("10", d, p / (1 + e * cos(nu)))
+    momentum = Definition("11", h, sqrt(mu * p), assuming=(positive(mu), positive(p)))
+    areas = Condition("12", d**2 * rate(nu), h, on=(nu,), assuming=(positive(h), positive(d)))
+    given = (conic, areas, momentum)
+    claim = Claim("13", rate(d), mu / h * e * sin(nu), given=given)
+    verdict = Session().decide(claim).verdict
+    assert verdict.true, verdict
+    check(claim, "printed", verdict.certificate)
+    assert Session().decide(Claim("13", rate(d), 2 * mu / h * e * sin(nu), given=given)).verdict.wrong

@@ -127,7 +127,8 @@ def _differentiate(result: SideConditions, expressions: list[Any]) -> None:
     """Add derivatives of the given equations: all that say something of the rates that occur."""
     rows: list[Moving] = []
     for item in result.equations:
-        item.moving = [Moving(orders_of(pair)) for pair in item.pairs] if orders_of(item.sides) else []
+        moving = orders_of(item.sides)
+        item.moving = [Moving({} if _says_sign(pair) else orders_of(pair)) for pair in item.pairs] if moving else []
         rows += [row for row in item.moving if row.orders]
     found = offsets([row.orders for row in rows])
     more = max((0, *(order - found.highest.get(f, order) for f, order in orders_of(expressions).items())))
@@ -139,6 +140,12 @@ def _differentiate(result: SideConditions, expressions: list[Any]) -> None:
         _add_derivatives(result, item, variables)
 
 
+def _is_differentiated(*sides: Any) -> bool:
+    """Whether sides have only rates of functions: none of what jumps, or may not be real."""
+    jumps = any(side.has(sympy.DiracDelta, sympy.re, sympy.im) for side in sides)
+    return not jumps and all(isinstance(e.expr, AppliedUndef) for side in sides for e in side.atoms(sympy.Derivative))
+
+
 def _add_derivatives(result: SideConditions, item: Equations, variables: set[Any]) -> None:
     pairs = list(zip(item.pairs, item.moving, strict=True))
     for count in range(1, 1 + max(row.times for row in item.moving)):
@@ -146,11 +153,17 @@ def _add_derivatives(result: SideConditions, item: Equations, variables: set[Any
             raise Untreatable(f"{item.text}: given functions of several variables are not differentiated")
         (variable,) = variables
         pairs = [((sympy.diff(a, variable), sympy.diff(b, variable)), row) for (a, b), row in pairs]
-        pairs = [(pair, row) for pair, row in pairs if count <= row.times]
+        pairs = [(pair, row) for pair, row in pairs if count <= row.times and _is_differentiated(*pair)]
         changing = [pair for pair, _ in pairs if pair[0] != pair[1]]
         text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
         if changing:
             result.equations.append(Equations(text, changing, item.sources, derived=True))
+
+
+def _says_sign(pair: tuple[Any, Any]) -> bool:
+    """Whether an equation says that something is not negative: then its rates say nothing, where it is positive."""
+    one, other = pair
+    return bool(one != other and one == sympy.Abs(other))
 
 
 def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:

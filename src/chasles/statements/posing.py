@@ -13,7 +13,7 @@ from chasles.statements.directions import with_directions
 from chasles.statements.goals import AcceptedSides, cases_of, equations_of, goals_of, goals_of_theorem, presupposed_by
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem
-from chasles.statements.rules import behind, fit_together, passed_on, rated, refuse_circles
+from chasles.statements.rules import behind, fit_together, moved_as, passed_on, rated, refuse_circles
 from chasles.statements.simpler_words import (
     factors_of,
     in_simpler_words,
@@ -23,7 +23,19 @@ from chasles.statements.simpler_words import (
 )
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
+from chasles.vocabulary import (
+    Determinant,
+    Inverse,
+    Negative,
+    Node,
+    Rate,
+    Sum,
+    Symbol,
+    members_of,
+    plain,
+    replace,
+    undotted,
+)
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
@@ -68,6 +80,7 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     rules, conditions, unknowns, used = _given(statement, standing)
     claimed = said_by(statement, form)
     rules = passed_on([*rules, *_angle_rules([*claimed, *chain(*rules)], conditions, unknowns)])
+    conditions, unknowns = _posed_on_what_moves(conditions, unknowns, dict(rules))
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted([*claimed, *chain(*rules)], rules)
     said = [*claimed, *chain(*rules), *(side for goal in conditions for side in goal.sides)]
@@ -127,6 +140,20 @@ def _given(
         else:
             told += equations_of(f"({given.number})", left, right)
     return rules, conditions, unknowns, tuple(assumed(told))
+
+
+def _posed_on_what_moves(
+    conditions: list[Goal], unknowns: dict[Symbol, None], rules: Mapping[Node, Node]
+) -> tuple[list[Goal], dict[Symbol, None]]:
+    """Conditions on a symbol that is defined as the rate of another are conditions on that other."""
+    as_which = {symbol: quantity for symbol in unknowns if isinstance(quantity := moved_as(symbol, rules), Rate)}
+    if not as_which:
+        return conditions, unknowns
+    moving = (undotted(as_which.get(symbol, symbol))[0] for symbol in unknowns)
+    found = [
+        with_fields(goal, left=replace(goal.left, as_which), right=replace(goal.right, as_which)) for goal in conditions
+    ]
+    return found, dict.fromkeys(symbol for symbol in moving if isinstance(symbol, Symbol))
 
 
 def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:
