@@ -146,7 +146,9 @@ def _posed_on_what_moves(
     conditions: list[Goal], unknowns: dict[Symbol, None], rules: Mapping[Node, Node]
 ) -> tuple[list[Goal], dict[Symbol, None]]:
     """Conditions on a symbol that is defined as the rate of another are conditions on that other."""
-    as_which = {symbol: quantity for symbol in unknowns if isinstance(quantity := moved_as(symbol, rules), Rate)}
+    as_which: dict[Node, Node] = {
+        symbol: quantity for symbol in unknowns if isinstance(quantity := moved_as(symbol, rules), Rate)
+    }
     if not as_which:
         return conditions, unknowns
     moving = (undotted(as_which.get(symbol, symbol))[0] for symbol in unknowns)
