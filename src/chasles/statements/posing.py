@@ -13,7 +13,7 @@ from chasles.statements.directions import with_directions
 from chasles.statements.goals import AcceptedSides, cases_of, equations_of, goals_of, goals_of_theorem, presupposed_by
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem
-from chasles.statements.rules import behind, fit_together, moved_as, passed_on, rated, refuse_circles
+from chasles.statements.rules import behind, fit_together, passed_on, rated, refuse_circles
 from chasles.statements.simpler_words import (
     factors_of,
     in_simpler_words,
@@ -80,7 +80,6 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     rules, conditions, unknowns, used = _given(statement, standing)
     claimed = said_by(statement, form)
     rules = passed_on([*rules, *_angle_rules([*claimed, *chain(*rules)], conditions, unknowns)])
-    conditions, unknowns = _posed_on_what_moves(conditions, unknowns, dict(rules))
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted([*claimed, *chain(*rules)], rules)
     said = [*claimed, *chain(*rules), *(side for goal in conditions for side in goal.sides)]
@@ -121,18 +120,23 @@ def _given(
     told: list[Goal] = []
     posed = [each.on for each in statement.given if isinstance(each, Condition)]
     defined = [(bare(each.left), accepted(each)[1]) for each in statement.given if isinstance(each, Definition)]
+    rates: dict[Node, Node] = {left: right for left, right in defined if isinstance(right, Rate)}
     for given in statement.given:
         left, right = accepted(given)
+        on = given.on if isinstance(given, Condition) else ()
+        if not rates.keys().isdisjoint(on):  # on a velocity, say: it is one on what the velocity is the rate of
+            left, right = replace(left, rates), replace(right, rates)
+            on = tuple(base for each in on if isinstance(base := undotted(rates.get(each, each))[0], Symbol))
         rule = bare(left), right
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
             )
-        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(given.on, *rule):
+        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(on, *rule):
             rules.append(rule)
         elif isinstance(given, Condition):
-            conditions += equations_of(f"({given.number})", left, right) if given.on else ()
-            unknowns |= dict.fromkeys(given.on)
+            conditions += equations_of(f"({given.number})", left, right) if on else ()
+            unknowns |= dict.fromkeys(on)
         elif is_rule(given) and (isinstance(given, Definition) or fit_together([*rules, *defined, rule])):
             rules.append(rule)
         elif indices_of(left):
@@ -140,22 +144,6 @@ def _given(
         else:
             told += equations_of(f"({given.number})", left, right)
     return rules, conditions, unknowns, tuple(assumed(told))
-
-
-def _posed_on_what_moves(
-    conditions: list[Goal], unknowns: dict[Symbol, None], rules: Mapping[Node, Node]
-) -> tuple[list[Goal], dict[Symbol, None]]:
-    """Conditions on a symbol that is defined as the rate of another are conditions on that other."""
-    as_which: dict[Node, Node] = {
-        symbol: quantity for symbol in unknowns if isinstance(quantity := moved_as(symbol, rules), Rate)
-    }
-    if not as_which:
-        return conditions, unknowns
-    moving = (undotted(as_which.get(symbol, symbol))[0] for symbol in unknowns)
-    found = [
-        with_fields(goal, left=replace(goal.left, as_which), right=replace(goal.right, as_which)) for goal in conditions
-    ]
-    return found, dict.fromkeys(symbol for symbol in moving if isinstance(symbol, Symbol))
 
 
 def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:

@@ -9,25 +9,16 @@ from chasles.vocabulary import Node, Rate, Symbol, children, undotted, walk
 
 
 def passed_on(rules: Sequence[Equation]) -> list[Equation]:
-    """What is given for the rate of a quantity is given for the rate of the symbol that, or whose rate, it is."""
+    """What is given for the rate of a quantity is given for the rate of the symbol that the quantity is."""
     table = dict(rules)
     passed: list[Equation] = []
     for left, right in rules:
         base, dots = behind(left, table)
-        quantity = moved_as(base, table)
-        other = rated(quantity, dots) if dots and quantity is not None else left
+        symbol = table.get(base)
+        on = dots and isinstance(symbol, Symbol) and symbol.stands_for is None and not symbol.constant
+        other = rated(symbol, dots) if on and symbol is not None and symbol not in table else left
         passed.append((left if other in {*table, *dict(passed)} else other, right))
     return passed
-
-
-def moved_as(base: Node, rules: Mapping[Node, Node]) -> Node | None:
-    """The symbol that moves, or the rate of it, as which a rule defines another; None if there is none."""
-    quantity = rules.get(base)
-    if quantity is None or quantity in rules:
-        return None
-    symbol, _ = undotted(quantity)
-    moves = isinstance(symbol, Symbol) and symbol.stands_for is None and not symbol.constant and symbol not in rules
-    return quantity if moves else None
 
 
 def behind(left: Node, rules: Mapping[Node, Node]) -> tuple[Node, int]:

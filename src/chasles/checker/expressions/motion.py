@@ -45,8 +45,8 @@ def require_motion(given: Iterable[GivenEquation], point: AtPoint, through: bool
     if not moving or not any(isinstance(e, sympy.Derivative) or e in times for e in read.atoms.values()):
         return  # constants will do for functions
     time = time_of(moving)
-    pairs = [pair for item in moving for pair in item.pairs.items() if not _holds_nearby(point, *pair[1])]
-    stated = [fact for pair in pairs for fact in differences(read, dict([pair])).values()]
+    pairs = [dict([item]) for each in moving for item in each.pairs.items() if not _holds_nearby(point, *item[1])]
+    stated = [fact for pair in pairs for fact in differences(read, pair).values()]
     stated = [fact for fact in stated if fact and not _is_determinant(read, fact, moving)]
     unlike = {frozenset(base.terms.items()): base for _, base in map(primitive, stated)}
     chains = [_chain(point, fact, time) for fact in unlike.values()]
@@ -75,14 +75,11 @@ def require_motion(given: Iterable[GivenEquation], point: AtPoint, through: bool
             raise Rejected("it is not seen that there is a motion through the point")
 
 
-def _holds_nearby(point: AtPoint, one: Any, other: Any) -> bool:
-    """Whether two sides are equal up to their sign wherever they have values, and at the point are equal and not zero.
-
-    So they are equal near it, whatever moves: an absolute value stays what it is where nothing changes its sign.
-    """
-    read = point.symbolic
-    (a, b), (c, d) = parts(read, one), parts(read, other)
-    return not (b or d) and read.vanishes(read.normal(a * a - c * c)) and point.sign(point.value_of(a + c)) != 0
+def _holds_nearby(point: AtPoint, *sides: Any) -> bool:
+    """Whether sides that are equal up to their sign are equal at the point and not zero: so they are, near it."""
+    (a, b), (c, d) = (parts(point.symbolic, side) for side in sides)
+    equal = not (b or d) and point.symbolic.vanishes(point.symbolic.normal(a * a - c * c))
+    return equal and bool(point.sign(point.value_of(a + c)))
 
 
 def _chain(point: AtPoint, fact: Polynomial, time: Any) -> list[Polynomial]:

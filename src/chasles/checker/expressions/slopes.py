@@ -13,7 +13,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy
-from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.enclosed import EnclosedValues, sign_of_number
 from chasles.checker.expressions.intervals import Enclosure
@@ -70,7 +69,7 @@ def _ends(case: CheckedCase, symbol: Any) -> Iterator[tuple[Any, bool]]:
     """Numbers that a symbol does not exceed, and whether it is less."""
     known = [(side * (one - other), False) for one, other in case.pairs for side in (1, -1)]
     known += [(case.here(other), other.is_positive) for other, _ in case.values if other.is_nonnegative]
-    for e, strict in ((e, strict) for e, strict in known if not e.has(AppliedUndef)):
+    for e, strict in ((e, strict) for e, strict in known if not e.has(sympy.Derivative)):
         slope, rest = e.diff(symbol), e.xreplace({symbol: sympy.S.Zero})
         least = rest.xreplace(dict.fromkeys(rest.free_symbols, sympy.S.Zero))
         if slope.is_number and slope.is_negative and (signs := visible_signs(sympy.expand(least - rest))) <= {0, 1}:
