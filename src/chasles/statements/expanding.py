@@ -115,7 +115,8 @@ class _Expansion:
         self.divisors: dict[Node | None, None] = {}
 
     def __call__(self, node: Node) -> PowerSeries:
-        if not any(self._may_vary(part) for part in w.walk(node)):
+        known = {self.small, *self.rules}
+        if not any(p in known or isinstance(p, Shorthand) or getattr(p, "stands_for", None) for p in w.walk(node)):
             return self._constant(node)
         match node:
             case _ if node in self.rules:
@@ -164,10 +165,6 @@ class _Expansion:
                 return self._function(function, argument, node)
             case _:
                 raise TypeError(f"{w.plain(node)} is not expanded where {w.plain(self.small)} is small")
-
-    def _may_vary(self, part: Node) -> bool:
-        stands_for_more = isinstance(part, w.Symbol) and part.stands_for is not None
-        return part == self.small or part in self.rules or stands_for_more or isinstance(part, Shorthand)
 
     @property
     def _small(self) -> PowerSeries:

@@ -23,23 +23,12 @@ from chasles.statements.simpler_words import (
 )
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import (
-    Determinant,
-    Inverse,
-    Negative,
-    Node,
-    Rate,
-    Sum,
-    Symbol,
-    members_of,
-    plain,
-    replace,
-    undotted,
-)
+from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.totals import Total
+from chasles.vocabulary.tree import replace
 
 Decidable = Statement | Theorem
 
@@ -91,8 +80,7 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     inverted = dict.fromkeys(Determinant(part) for part in factors if isinstance(part, Symbol) and not part.is_scalar)
     stated = tuple(dict.fromkeys((*hypotheses_of(statement), *used, *_agreeing(dict(rules)))))
     hypotheses = *stated, *(nonzero(det) for det in inverted if all(det not in each.nonvanishing for each in stated))
-    free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
-    if free:
+    if conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules))):
         from chasles.statements.field_equations import freely_assumed  # of no use to most claims
 
         if told := freely_assumed(conditions, unknowns, [*claimed, *chain(*rules)], dict(rules)):
@@ -132,7 +120,8 @@ def _given(
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
             )
-        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(on, *rule):
+        moves = isinstance(rule[0], Rate) and (undotted(rule[0])[0],) == on and posed.count(on) < 2
+        if moves and not {rule[0], Rate(rule[0])} & {*opened_parts(right)}:
             rules.append(rule)
         elif isinstance(given, Condition):
             conditions += equations_of(f"({given.number})", left, right) if on else ()
@@ -144,11 +133,6 @@ def _given(
         else:
             told += equations_of(f"({given.number})", left, right)
     return rules, conditions, unknowns, tuple(assumed(told))
-
-
-def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:
-    """Whether it says what the rate of the one symbol is that it is posed on, by the symbol and lower rates."""
-    return isinstance(left, Rate) and (undotted(left)[0],) == on and not {left, Rate(left)} & {*opened_parts(right)}
 
 
 def _angle_rules(sides: list[Node], conditions: list[Goal], unknowns: dict[Symbol, None]) -> Iterator[Equation]:

@@ -64,10 +64,6 @@ class Field(Symbol):
                     terms.append(self.derivative(by) if factor == ONE else Scale(factor, self.derivative(by)))
         return terms[0] if len(terms) == 1 else Sum(tuple(terms)) if terms else Zero(*self.shape)
 
-    def varies_with(self, quantity: Node) -> bool:
-        """Whether its variables are made of the quantity."""
-        return any(quantity in walk(place) for place in self.arguments)
-
 
 def _entry(node: Node, i: int, j: int) -> Node:
     """An entry, counted from 0, of a matrix; of a matrix of entries, what stands there."""

@@ -60,7 +60,8 @@ class _Derivative:
                 yield from self._weighted(part, its_weight)
 
     def _varies(self, node: Node) -> bool:
-        return any(part == self.by or (isinstance(part, Field) and part.varies_with(self.by)) for part in walk(node))
+        places = (place for part in walk(node) if isinstance(part, Field) for place in part.arguments)
+        return any(self.by in walk(each) for each in (node, *places))
 
     def _parts(self, node: Node, weight: Node) -> Iterable[Weighted]:
         match node:

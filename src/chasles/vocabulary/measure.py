@@ -119,12 +119,9 @@ def contracted(first: Measure, second: Measure, names: tuple[object, object]) ->
 @lru_cache(maxsize=4096)
 def _product(first: Grid, second: Grid) -> Grid:
     columns = tuple(zip(*second, strict=True))
-    return tuple(tuple(_inner(line, column) for column in columns) for line in first)
-
-
-def _inner(line: Sequence[Dimension | None], column: Sequence[Dimension | None]) -> Dimension | None:
-    products = (a * b for a, b in zip(line, column, strict=True) if a is not None and b is not None)
-    return reduce(_joined, products, None)
+    pairs = ([zip(line, column, strict=True) for column in columns] for line in first)
+    known = ([(a * b for a, b in each if a is not None and b is not None) for each in line] for line in pairs)
+    return tuple(tuple(reduce(_joined, each, None) for each in line) for line in known)
 
 
 def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[object]]) -> Measure:
