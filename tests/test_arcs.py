@@ -35,6 +35,16 @@ TRUE = [
     (atan2(p * x, p), atan(x)),
     (atan(left) + atan2(p, above * Abs(y)) + pi, atan(left) + atan(p / (above * Abs(y))) + pi),
 ]
+HALVES = [
+    (sp.cos(acos(x) / 2), sqrt((1 + x) / 2)),
+    (sp.sin(acos(x) / 2), sqrt((1 - x) / 2)),
+    (sp.cos(acos(x) / 4), sqrt((1 + sqrt((1 + x) / 2)) / 2)),
+    (sp.cos(acos(x) / 2) ** 2 - sp.sin(acos(x) / 2) ** 2, x),
+    (sp.cos(acos(x) / 2 + y), sqrt((1 + x) / 2) * sp.cos(y) - sqrt((1 - x) / 2) * sp.sin(y)),
+    (sp.cos(asin(x) / 2 + pi / 4) ** 2, (1 - x) / 2),
+    (acos(x) / 2, acos(sqrt((1 + x) / 2))),
+    (sp.sin(sp.acot(p) / 2), sqrt((1 - p / sqrt(1 + p**2)) / 2)),
+]
 FALSE_AT_AN_END: list[tuple[Any, Any, list[Any]]] = [
     (atan2(-(x**2), left), -atan2(x**2, left), []),
     (atan2(below, left), -atan2(-below, left), []),
@@ -57,6 +67,19 @@ def test_angles_of_points_are_equal(one: Any, other: Any) -> None:
     verdict = prove(one, other)
     assert isinstance(verdict, Holds | HoldsUnder)
     recheck(verdict, one, other)
+
+
+@pytest.mark.sampled(2)
+@pytest.mark.parametrize(("one", "other"), HALVES, ids=str)
+def test_half_of_an_angle_between_zero_and_half_a_turn(one: Any, other: Any) -> None:
+    """Where acos(x) is pi/2 - asin(x), half of it is no half of asin(x)."""
+    verdict = prove(one, other)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    recheck(verdict, one, other)
+    with pytest.raises(Rejected):
+        recheck(verdict, one, -other)
+    assert isinstance(prove(one, -other), Fails)
+    assert isinstance(prove(sp.cos(atan2(y, x) / 2 - pi / 4), sqrt((1 + y / sqrt(x**2 + y**2)) / 2)), Fails)
 
 
 @pytest.mark.parametrize(("one", "other", "given"), FALSE_AT_AN_END, ids=str)

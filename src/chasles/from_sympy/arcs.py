@@ -8,7 +8,7 @@ there cosine is one at zero only. Where the bounds are wider, the sum is halved 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -110,13 +110,17 @@ def _split(expression: Any, arcs: Mapping[FunctionSymbol, Arc]) -> tuple[dict[Fu
     return {word: q for word, q in multiples.items() if q}, rest
 
 
-def _direction(arc: Arc, multiple: Fraction) -> tuple[Any, Any]:
-    """Cosine and sine of a multiple of an arc: that of half of it has a cosine that is not negative."""
+def _direction(arc: Arc, multiple: Fraction, above: bool = False) -> tuple[Any, Any]:
+    """Cosine and sine of a multiple of an arc: that of half of it has a cosine that is not negative.
+
+    Nor has it a sine that is, where the point is `above` the axis.
+    """
     x, y, square = arc.x, arc.y, arc.square
     for _ in range(multiple.denominator.bit_length() - 1):
         cosine = x / sympy.sqrt(square)
         x = sympy.sqrt((1 + cosine) / 2)
-        y, square = y / sympy.sqrt(square) / (2 * x), sympy.S.One
+        y = sympy.sqrt((1 - cosine) / 2) if above else y / sympy.sqrt(square) / (2 * x)
+        square = sympy.S.One
     cosine, sine = sympy.S.One, sympy.S.Zero
     for _ in range(abs(multiple.numerator)):
         cosine, sine = cosine * x - sine * y, cosine * y + sine * x
@@ -127,11 +131,25 @@ def _direction(arc: Arc, multiple: Fraction) -> tuple[Any, Any]:
 def _cosine_and_sine(
     multiples: Mapping[FunctionSymbol, Fraction], rest: Any, arcs: Mapping[FunctionSymbol, Arc]
 ) -> tuple[Any, Any]:
-    cosine, sine = sympy.cos(rest), sympy.sin(rest)
+    directions = []
     for word, multiple in multiples.items():
-        x, y = _direction(arcs[word], multiple)
+        arc, more = arcs[word], sympy.pi * sympy.Rational(multiple) / 2
+        # Half of acos(u), for example, which is said as pi/2 - asin(u), is half of the angle of (u, sqrt(1 - u^2)).
+        simpler = multiple.denominator > 1 and _parts(rest + more) < _parts(rest)
+        if simpler and max(-arc.low, arc.high) <= HALF:
+            rest, arc = sympy.expand(rest + more), replace(arc, x=arc.y, y=arc.x)
+            directions.append(_direction(arc, -multiple, above=True))
+        else:
+            directions.append(_direction(arc, multiple))
+    cosine, sine = sympy.cos(rest), sympy.sin(rest)
+    for x, y in directions:
         cosine, sine = cosine * x - sine * y, cosine * y + sine * x
     return cosine, sine
+
+
+def _parts(angle: Any) -> int:
+    """Into how many parts a half turn is divided that occurs in a sum of angles."""
+    return int(sympy.expand(angle).coeff(sympy.pi).as_coeff_Mul()[0].q)
 
 
 def without_arcs(function: type, argument: Any, arcs: Mapping[FunctionSymbol, Arc]) -> Any:

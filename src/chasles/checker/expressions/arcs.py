@@ -48,15 +48,22 @@ class Arcs:
         return variable(self.places[key])
 
     def direction(self, place: int, multiple: Fraction, both: bool = True) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of a multiple of the angle of a point; where not `both` count, half a turn may be halved."""
-        read, (y, x) = self.reading, self.points[place]
+        """Cosine and sine of a multiple of the angle of a point; where not `both` count, half a turn may be halved.
+
+        Of a place below zero it is that of its complement, whose sine is not negative, nor is that of half of it.
+        """
+        read, (y, x) = self.reading, self.points[place] if place >= 0 else self.points[~place][::-1]
         square = read.normal(x * x + y * y)
         for _ in range(multiple.denominator.bit_length() - 1):
             inverse = read.normal(read.root(square) * self.functions.inverse(square))
             cosine, sine = read.normal(x * inverse), read.normal(y * inverse)
             half = (ONE + cosine) * number(Fraction(1, 2))
-            x = read.root(half)
-            y, square = read.normal(sine * x * self.functions.inverse(ONE + cosine)) if both else ZERO, ONE
+            other = ONE - half
+            read.know(half)
+            read.know(other)
+            x, y, square = read.root(half), ZERO, ONE
+            if both:
+                y = read.root(other) if place < 0 else read.normal(sine * x * self.functions.inverse(half + half))
         power = abs(multiple.numerator)
         cosine, sine = read.complex_power(x, y, power)
         inverse = read.power(self.functions.inverse(square), (power + 1) // 2)
@@ -65,15 +72,21 @@ class Arcs:
 
     def split(self, angle: Polynomial) -> tuple[list[tuple[int, Fraction]], Polynomial]:
         """The angles of points in a sum, with their multiples, and the rest."""
-        parts, rest = [], ZERO
+        parts, rest, turn = [], ZERO, Fraction(0)
         for monomial, coefficient in angle.terms.items():
             multiple = Fraction(coefficient, angle.below)
             match exponents(monomial):
                 case [(place, 1)] if place in self.points and multiple.denominator.bit_count() == 1:
                     parts.append((place, multiple))
+                case _ if self.reading.is_half_turn(monomial):
+                    turn += multiple
                 case _:
                     rest += Polynomial({monomial: coefficient}, angle.below)
-        return parts, rest
+        for k, (place, multiple) in enumerate(parts):
+            simpler = multiple.denominator > 1 and (turn + multiple / 2).denominator < turn.denominator
+            if simpler and is_nonnegative(self.reading, self.points[place][1]):
+                parts[k], turn = (~place, -multiple), turn + multiple / 2
+        return parts, rest + self.reading.half_turn() * number(turn)
 
     def ends(self, place: int) -> list[tuple[Fraction, bool]]:
         """The bounds of the angle of a point in half turns, and whether each is open: -1 is never attained."""

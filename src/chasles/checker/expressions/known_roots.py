@@ -89,7 +89,7 @@ class KnownRoots(SignedReading):
             self._roots[key] = scale, root
         if key not in self._roots:
             positive = self.complete and self.is_number(inside) and self.sign(inside) > 0
-            if positive or root_of_square(inside) is not None or is_nonnegative(self, inside):
+            if positive or root_of_square(inside) is not None or self.is_seen(inside):
                 self._roots[key] = scale, self._new_root(inside)
         if key not in self._roots:
             raise Rejected("the certificate does not say what a root is")
