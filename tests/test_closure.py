@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_189, "prove": 5_392, "all": 15_365}
+MOST = {"declared": 6_189, "prove": 5_392, "all": 15_364}
 """It may become less."""
 
 

@@ -58,12 +58,11 @@ class Arcs:
             inverse = read.normal(read.root(square) * self.functions.inverse(square))
             cosine, sine = read.normal(x * inverse), read.normal(y * inverse)
             half = (ONE + cosine) * number(Fraction(1, 2))
-            other = ONE - half
-            read.know(half)
-            read.know(other)
+            for side in (half, ONE - half):
+                read.know(side)
             x, y, square = read.root(half), ZERO, ONE
             if both:
-                y = read.root(other) if place < 0 else read.normal(sine * x * self.functions.inverse(half + half))
+                y = read.root(ONE - half) if place < 0 else read.normal(sine * x * self.functions.inverse(half + half))
         power = abs(multiple.numerator)
         cosine, sine = read.complex_power(x, y, power)
         inverse = read.power(self.functions.inverse(square), (power + 1) // 2)
