@@ -283,6 +283,16 @@ def test_forms_of_any_sign_and_with_constants_are_in_range(forms, number, scale)
     assert forms(*point)[number] == pytest.approx(float(wanted), rel=4e-15)
 
 
+@pytest.mark.parametrize("power", [3, 5, 7])
+def test_the_root_of_an_odd_power_is_divided_by_as_it_stands(power):
+    kernel = chasles.compile((sp.sqrt(x) - sp.sin(sp.sqrt(x))) / sp.sqrt(x**power), [x])
+    assert sum(kernel.operations.values()) < 40
+    for at in (1e-3, 1e-8, 0.5):
+        with mpmath.workdps(60):
+            root = mpmath.sqrt(at)
+            assert float(kernel(at)) == pytest.approx(float((root - mpmath.sin(root)) / root**power), rel=1e-14)
+
+
 @pytest.mark.parametrize("large", [1e100, 1e150])
 def test_products_of_small_and_large_numbers_are_divided_by(large):
     kernel = chasles.compile([x / (y * z), x / (y**2 * z), sp.sqrt(y * z)], [x, y, z])

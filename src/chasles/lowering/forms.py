@@ -56,7 +56,9 @@ def divisors(program: Program, *, roots: bool) -> Iterator[Divisor]:
         else:
             continue
         leaves = _leaves(steps, degrees, form)
-        if degrees[form] > 1 and _vanish(steps, leaves) and form < place:
+        # The root of an odd power of a scale is no power of it.
+        has_root = step.op is Op.SQUARE_ROOT or form != step.operands[1]
+        if degrees[form] > 1 and not (has_root and degrees[form] % 2) and _vanish(steps, leaves) and form < place:
             yield Divisor(form, leaves)
 
 
