@@ -283,6 +283,62 @@ def test_forms_of_any_sign_and_with_constants_are_in_range(forms, number, scale)
     assert forms(*point)[number] == pytest.approx(float(wanted), rel=4e-15)
 
 
+A, B, C = sp.symbols("a b c", real=True)
+CANCELLING = [
+    *(
+        (sp.sin(x) - x * sp.cos(x), [x]),
+        (sp.tan(x) - x, [x]),
+        (sp.sinh(x) - sp.sin(x), [x]),
+        (sp.sin(x) - sp.tan(x), [x]),
+    ),
+    *((x * sp.exp(x) - sp.exp(x) + 1, [x]), ((1 + x) * sp.log(1 + x) - x, [x]), (sp.sqrt(1 + x) - 1 - x / 2, [x])),
+    *(
+        (sp.exp(sp.sin(x)) - 1 - x, [x]),
+        (sp.sqrt(2 - 2 * sp.cos(x) - x * sp.sin(x)), [x]),
+        (sp.exp(x) - sp.cos(x), [x]),
+    ),
+    *((y * sp.sin(x * z) - y * x * z * sp.cos(x * z) + x, [x, y, z]), (sp.sin(r) - r * sp.cos(r), [x, y, z])),
+    *((sp.log((1 + x) / (1 - x)), [x]), (1 / sp.log((y + x) / y), [x, y]), (sp.log((2 + x) / (2 + 3 * x)), [x])),
+    *(
+        (sp.sqrt(1 + x) - sp.sqrt(1 - x), [x]),
+        (sp.sqrt(y**2 + x**2) - y, [x, y]),
+        (sp.sqrt(x + y) - sp.sqrt(y), [x, y]),
+    ),
+    *(((-A + sp.sqrt(A**2 - 4 * B * x)) / (2 * B), [x, A, B]), ((-A - sp.sqrt(A**2 - 4 * B * x)) / (2 * B), [x, A, B])),
+]
+"""Sums that come to little near x = 0, beside their terms."""
+
+
+@pytest.mark.parametrize(("expression", "symbols"), CANCELLING, ids=str)
+@pytest.mark.parametrize("at", [1e-3, 1e-5, -1e-8, 0.3])
+def test_what_cancels_is_computed_otherwise(expression, symbols, at):
+    point = [at, *([-1.25, 0.75] if at < 0 else [1.5, 0.75])[: len(symbols) - 1]]
+    if expression.subs(dict(zip(symbols, point, strict=True))).is_real is False:
+        pytest.skip("there is no value")
+    value, slopes = chasles.compile(expression, symbols, jacobian=True)(*point)
+    rows = [expression, *(sp.diff(expression, by) for by in symbols)]
+    with mpmath.workdps(200):
+        wanted = [float(each) for each in sp.lambdify(symbols, rows, "mpmath")(*map(mpmath.mpf, point))]
+    assert [value, *np.atleast_1d(slopes)] == pytest.approx(wanted, rel=2e-13)
+
+
+@pytest.mark.parametrize("scale", [1e-200, 1.0, 1e200])
+def test_what_is_computed_otherwise_is_in_range(scale):
+    value, slopes = chasles.compile(sp.sqrt(x**2 + y**2) - y, [x, y], jacobian=True)(3 * scale, 4 * scale)
+    assert value == pytest.approx(scale, rel=1e-15)
+    assert slopes == pytest.approx([0.6, -0.2], rel=1e-14)
+
+
+def test_means_of_differences_that_meet():
+    """The logarithmic mean of temperature differences."""
+    mean = ((x - y) - (A - B)) / sp.log((x - y) / (A - B))
+    kernel = chasles.compile(mean, [x, y, A, B], jacobian=True)
+    for apart in (0.0, 1e-7, 1e-3):
+        value, slopes = kernel(90, 20, 80, 10 + apart)
+        assert value == pytest.approx(70 - apart / 2, rel=1e-10)
+        assert slopes == pytest.approx([0.5, -0.5, 0.5, -0.5], rel=1e-4)
+
+
 @pytest.mark.parametrize("power", [3, 5, 7])
 def test_the_root_of_an_odd_power_is_divided_by_as_it_stands(power):
     kernel = chasles.compile((sp.sqrt(x) - sp.sin(sp.sqrt(x))) / sp.sqrt(x**power), [x])

@@ -34,6 +34,8 @@ _PRIME = 2**61 - 1
 _SEEDS = 64
 """So many points are tried; at half of them a root has a value."""
 _POINTS = 8
+MOST_PARTS = 80
+"""Larger quotients and sums stay as they are."""
 KEPT = 2**15
 """Parts of which it is known what they are: expressions share them, and each is met many times."""
 ANGLE, ROOT = (sympy.Dummy(name, dummy_index=k, real=True) for k, name in enumerate(("angle", "root")))
@@ -62,6 +64,12 @@ def parts_of_kinds(expression: sympy.Basic, kinds: tuple[Any, ...], outside: tup
         return frozenset()
     own = frozenset([expression] if isinstance(expression, kinds) else [])
     return own.union(*(parts_of_kinds(part, kinds, outside) for part in expression.args))
+
+
+@lru_cache(KEPT)
+def size_of(expression: Any) -> int:
+    """How many parts it has, each as often as it occurs."""
+    return 1 + sum(map(size_of, expression.args))
 
 
 def divisors(parts: Iterable[sympy.Basic]) -> set[sympy.Expr]:

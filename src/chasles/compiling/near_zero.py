@@ -12,7 +12,10 @@ import sympy
 from sympy.codegen.cfunctions import expm1, log1p
 
 from chasles.compiling.angles import KEPT, KNOWN, angle_of, divisors, parts_of_kinds, square_of, with_series
+from chasles.compiling.elementary import PowerTimesLog
+from chasles.compiling.root_differences import by_conjugate
 from chasles.compiling.taylor import ANALYTIC, CIRCULAR, NearZero, TaylorPolynomial, coefficient_of, left_of
+from chasles.compiling.vanishing_sums import in_series
 from chasles.compiling.variables import HELD, Substitution
 
 _LESSENED = {sympy.exp: expm1, sympy.cosh: lambda a: 2 * sympy.sinh(a / 2) ** 2}
@@ -62,20 +65,35 @@ def without_cancellation(expression: sympy.Basic) -> Any:
 @lru_cache(KEPT)
 def _changed(expression: sympy.Basic) -> Any:
     """What it becomes; None where it stays the object that it is, which an equal one of another call is not."""
-    if isinstance(expression, NearZero) or not parts_of_kinds(expression, (*KNOWN, sympy.Pow)):
+    if isinstance(expression, NearZero) or not parts_of_kinds(expression, (*KNOWN, sympy.Pow, PowerTimesLog)):
         return None
     parts = [without_cancellation(part) for part in expression.args]
     held = {"evaluate": False} if isinstance(expression, HELD) else {}
     found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts, **held)
     found = _of_roots(found) if isinstance(found, sympy.Add) else found
     found = _lessened(found) if isinstance(found, sympy.Add) else found
+    found = in_series(found) if isinstance(found, sympy.Add) else found
+    found = by_conjugate(found) if isinstance(found, sympy.Add) else found
     found = _cancelled(found) if isinstance(found, sympy.Mul) else found
-    if isinstance(found, sympy.log) and isinstance(found.args[0], sympy.cosh):
-        [of], size = found.args[0].args, sympy.Abs(found.args[0].args[0])
-        near = sympy.log(1 + _LESSENED[sympy.cosh](of)), size < 1
-        # Farther away it does not overflow.
-        found = NearZero(near, (size + log1p(sympy.exp(-2 * size)) - sympy.log(2), True), evaluate=False)
+    found = _of_logarithm(found) if isinstance(found, sympy.log) else found
     return None if found is expression else found
+
+
+def _of_logarithm(logarithm: sympy.log) -> Any:
+    """The logarithm; of a hyperbolic cosine, and of a quotient of which the sides share terms, by what is above 1."""
+    [of] = logarithm.args
+    if isinstance(of, sympy.cosh):
+        size = sympy.Abs(of.args[0])
+        near = sympy.log(1 + _LESSENED[sympy.cosh](of.args[0])), size < 1
+        # Farther away it does not overflow.
+        return NearZero(near, (size + log1p(sympy.exp(-2 * size)) - sympy.log(2), True), evaluate=False)
+    above, below = sympy.fraction(of)
+    less, both = above - below, above + below
+    if below == 1 or len(sympy.Add.make_args(less)) >= len(sympy.Add.make_args(above)):
+        return logarithm
+    # Of both sides of a number it is odd in what is between them.
+    near = 2 * sympy.atanh(less / both) if both.is_number else log1p(less / below)
+    return NearZero((near, sympy.Abs(less / below) < sympy.S.Half), (logarithm, True), evaluate=False)
 
 
 def _cancelled(product: sympy.Mul) -> Any:

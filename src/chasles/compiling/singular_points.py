@@ -11,13 +11,11 @@ from typing import Any
 
 import sympy
 
-from chasles.compiling.angles import KEPT, QUOTIENTS, divisors, parts_of_kinds
+from chasles.compiling.angles import KEPT, MOST_PARTS, QUOTIENTS, divisors, parts_of_kinds, size_of
 from chasles.compiling.divided_differences import NO_VALUES, DividedDifferences, SymbolValue
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.refusal import LoweringError
 
-_MOST_PARTS = 80
-"""Larger quotients stay as they are."""
 _MOST_SYMBOLS = 4
 _MOST_ORDER = 4
 _NUMBERS = tuple(map(sympy.sympify, (0, 1, -1)))
@@ -50,7 +48,7 @@ def _without(expression: Any) -> Any:
 def _regular(expression: Any) -> Any:
     """What it is with its limits; None where none is found."""
     join = sympy.Add if expression.is_Add else sympy.Mul
-    parts = [part for part in join.make_args(expression) if _size(part) <= _MOST_PARTS]
+    parts = [part for part in join.make_args(expression) if size_of(part) <= MOST_PARTS]
     below = dict.fromkeys(base for part in parts for base in _divided(part)) if len(parts) > 1 else {}
     points = [point for divisor in below for point in _zeros(divisor)]
     limits: list[tuple[Any, Any, list[Any]]] = []
@@ -156,14 +154,9 @@ def _divided(expression: Any) -> tuple[Any, ...]:
 
 
 @lru_cache(KEPT)
-def _size(expression: Any) -> int:
-    return 1 + sum(map(_size, expression.args))
-
-
-@lru_cache(KEPT)
 def _zeros(divisor: Any) -> tuple[SymbolValue, ...]:
     """Values of symbols, at which the divisor vanishes: numbers, and sums of other symbols."""
-    if _size(divisor) > _MOST_PARTS or len(divisor.free_symbols) > _MOST_SYMBOLS:
+    if size_of(divisor) > MOST_PARTS or len(divisor.free_symbols) > _MOST_SYMBOLS:
         return ()
     together = _vanishing_together(divisor)
     tried = (point for factor in sympy.Mul.make_args(together[0]) for point in _tried(factor))
@@ -205,7 +198,8 @@ def _tried(divisor: Any) -> Iterator[tuple[Any, Any]]:
 
 def _sides_apart(divisor: Any) -> Iterator[Any]:
     """Where a function equals another value of it, or a number: what is zero there."""
-    for term in divisor.args if divisor.is_Add and len(divisor.args) == 2 else ():
+    terms = divisor.args if divisor.is_Add and len(divisor.args) == 2 else ()
+    for term in (divisor,) if isinstance(divisor, sympy.log) else terms:
         number, f = term.as_coeff_Mul()
         value = (term - divisor) / number
         if isinstance(f, sympy.Function) and len(f.args) == 1 and f.free_symbols:
@@ -216,4 +210,4 @@ def _sides_apart(divisor: Any) -> Iterator[Any]:
                     at = f.inverse()(value)
                     # SymPy says so here of a value that there is not.
                     at.evalf()
-                    yield f.args[0] - at
+                    yield sympy.together(f.args[0] - at)

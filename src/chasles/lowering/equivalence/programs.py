@@ -152,7 +152,22 @@ class _Fractions(Operators):
     def select(self, condition: Ratio, if_true: Ratio, if_false: Ratio) -> Ratio:  # type: ignore[override]
         if self.is_equal(if_true, if_false) or (if_true.is_zero and self._vanishes_where(if_false, condition)):
             return if_false
-        return self._function(Op.SELECT, condition, if_true, if_false)
+        taken_out = self.constant(Fraction(1))
+        for positive in self._positive:
+            powers = [self._power_of(positive, each) for each in (if_true, if_false) if not each.is_zero]
+            factor = self._field.ratio(positive)
+            for _ in range(abs(common := min(powers))):
+                move, back = (self.divide, self.multiply) if common > 0 else (self.multiply, self.divide)
+                if_true, if_false, taken_out = move(if_true, factor), move(if_false, factor), back(taken_out, factor)
+        return self.multiply(self._function(Op.SELECT, condition, if_true, if_false), taken_out)
+
+    def _power_of(self, positive: Polynomial, ratio: Ratio) -> int:
+        """How often what is positive is a factor of a fraction that is not zero; less than zero where below."""
+        numerator, found = ratio.numerator, 0
+        while (parts := self._field.ring.divide(numerator, positive))[1] == 0:
+            numerator, found = parts[0], found + 1
+        below = zip(self._field.nonzero, ratio.denominator, strict=False)
+        return found - sum(power for unit, power in below if unit == positive)
 
     def _vanishes_where(self, value: Ratio, condition: Ratio) -> bool:
         """Whether two things that are equal under the condition differ by a multiple of the value."""

@@ -252,9 +252,9 @@ class _Scaling:
         for mine, its in ((0, 1), (1, 0)):
             free, bound = step.operands[mine], step.operands[its]
             powers = forms[its][0]
-            if free not in self._bound and bound in self._bound:
-                if _size(_sum(powers, forms[mine][0])) >= _size(powers):
-                    forms[mine] = {}, self._place[free]
+            lowers = _size(_sum(powers, forms[mine][0])) < _size(powers)
+            if free not in self._bound and bound in self._bound and not lowers:
+                forms[mine] = {}, self._place[free]
         return _sum(forms[0][0], forms[1][0]), self._build.multiply(forms[0][1], forms[1][1])
 
 
