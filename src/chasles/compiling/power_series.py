@@ -23,7 +23,7 @@ Series = list[Fraction]
 """Coefficients, from that of the power zero on."""
 
 
-class PowerSeries:
+class SeriesAtZero:
     """Series in one symbol, each of as many coefficients."""
 
     def __init__(self, symbol: sympy.Symbol, length: int) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 
 from chasles.compiling.angles import KNOWN, MOST_PARTS, WholeAngle, angle_of, parts_of_kinds, size_of
-from chasles.compiling.power_series import PowerSeries, Series
+from chasles.compiling.power_series import Series, SeriesAtZero
 from chasles.compiling.taylor import NearZero, TaylorPolynomial
 from chasles.lowering.refusal import LoweringError
 
@@ -83,7 +83,7 @@ def _left(stated: Any, symbol: Any) -> Any:
     with suppress(LoweringError):
         first, lowest = _orders(stated, symbol, _SEEN)
         if lowest < first < _SEEN:
-            series = PowerSeries(symbol, _ALL).of(stated)[first:]
+            series = SeriesAtZero(symbol, _ALL).of(stated)[first:]
             step = 2 if not any(series[1::2]) else 1
             for limit in _LIMITS:
                 kept = _kept(series[::step], limit**step)
@@ -95,7 +95,7 @@ def _left(stated: Any, symbol: Any) -> Any:
 
 def _orders(stated: Any, symbol: Any, length: int) -> tuple[int, int]:
     """Of the sum the first power that there is, and that of its terms."""
-    series = PowerSeries(symbol, length)
+    series = SeriesAtZero(symbol, length)
     orders = [next((k for k, each in enumerate(series.of(part)) if each), length) for part in (stated, *stated.args)]
     return orders[0], min(orders[1:])
 
