@@ -23,6 +23,7 @@ from chasles.statements.statement import bare
 from chasles.vocabulary import Misfit, Node, Symbol, plain, undotted
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
+from chasles.vocabulary.partial import with_derivatives
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +88,14 @@ class Request:
         return places_of(self.arguments[argument])[entry]
 
 
+def _carried_out(name: str, node: Node, rules: Mapping[Node, Node]) -> Node:
+    """The node with its derivatives and integrals taken; raises `LoweringError` for one that follows no rule."""
+    try:
+        return with_derivatives(node, {left: right for left, right in rules.items() if right != node})
+    except TypeError as mistake:
+        raise LoweringError(f"{name}: {mistake}") from None
+
+
 def composed(
     name: str,
     of: Iterable[Argument],
@@ -112,7 +121,7 @@ def composed(
     named, inverses = NamedFunctions(table), Inverses(hypotheses, table, any_size=False)
 
     def opened(node: Node) -> Node:
-        return named(without_angles(inverses(node), angles, table))
+        return named(without_angles(inverses(_carried_out(name, node, table)), angles, table))
 
     hypotheses = tuple(h for h in hypotheses if all(map(is_plain, (*h.subjects, *h.nonvanishing, *h.sides))))
     rules = {left: opened(right) for left, right in table.items()}

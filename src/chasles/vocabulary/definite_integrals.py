@@ -1,25 +1,20 @@
-"""Integrals between limits, of what is a polynomial in the variable of integration, entry by entry."""
+"""Integrals between limits, of polynomials, exponentials, cosines and sines of multiples, entry by entry."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import reduce
-from itertools import product
 
+from chasles.vocabulary.antiderivatives import integrated, terms_of
 from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.fitting import measured, word
-from chasles.vocabulary.layout import At, Block, Group
-from chasles.vocabulary.letters import Symbol, Zero, zero_of
+from chasles.vocabulary.letters import Symbol, Zero
 from chasles.vocabulary.measure import Measure, Misfit, added, entrywise
-from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose, lifted
+from chasles.vocabulary.nodes import Negative, Node, Scale, Sum, lifted
 from chasles.vocabulary.partial import CarriedOut, meanings, with_derivatives
 from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import opened
-from chasles.vocabulary.spatial import Cross, Dot, Skew, Trace, Vect
-from chasles.vocabulary.tree import children, rebuilt, replace, walk
-
-LARGEST_DEGREE = 24
+from chasles.vocabulary.tree import replace, walk
 
 
 @word
@@ -40,7 +35,7 @@ class DefiniteIntegral(CarriedOut):
         return entrywise(lambda dimension: dimension and times and dimension * times, measured(self.of))
 
     def carried_out(self, rules: Mapping[Node, Node]) -> Node:
-        """The sum of the integrals of the powers of the variable, each times its coefficient.
+        """The sum of the integrals of powers, exponentials and turns of the variable, each times what multiplies it.
 
         Raises TypeError where it is not seen how the expression depends on the variable.
         """
@@ -52,9 +47,10 @@ class DefiniteIntegral(CarriedOut):
         if any(part in by and part != self.by for part in walk(of)):
             raise TypeError(f"an integral by {self.by} is taken, and {self.of} depends on what {self.by} is")
         terms: list[Node] = []
-        for power, coefficient in coefficients(of, self.by).items():
-            above, below = (Power(limit, power + 1) if power else limit for limit in (self.upper, self.lower))
-            terms.append(Scale(Quotient(Sum((above, Negative(below))), Number(Fraction(power + 1))), coefficient))
+        for term, coefficient in terms_of(of, self.by).items():
+            found = integrated(term, self.by)
+            above, below = (replace(found, {self.by: limit}) for limit in (self.upper, self.lower))
+            terms.append(Scale(Sum((above, Negative(below))), coefficient))
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Scale(self.upper, Zero(*of.shape))
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
@@ -65,54 +61,9 @@ class DefiniteIntegral(CarriedOut):
         return Piece(f"{sign} {of.text} {ends}{by}", Precedence.DOT, of.depth)
 
 
-def coefficients(node: Node, by: Node) -> dict[int, Node]:
-    """The coefficients of the powers of a symbol in an expression; raises TypeError where none are seen."""
-    if by not in walk(node):
-        return {} if isinstance(node, Zero) or node == Number(Fraction(0)) else {0: node}
-    match node:
-        case Symbol():
-            return {1: Number(Fraction(1))}
-        case Group(of):
-            return coefficients(of, by)
-        case Negative() | Transpose() | At() | Skew() | Trace() | Vect():
-            return {power: rebuilt(node, (each,)) for power, each in coefficients(children(node)[0], by).items()}
-        case Quotient(numerator, denominator) if by not in walk(denominator):
-            return {power: Quotient(each, denominator) for power, each in coefficients(numerator, by).items()}
-        case Sum(terms):
-            return _added([coefficients(term, by) for term in terms])
-        case Block(rows):
-            entries = [[(entry, coefficients(entry, by)) for entry in row] for row in rows]
-            powers = dict.fromkeys(power for row in entries for _, found in row for power in found)
-            return {
-                power: Block(
-                    tuple(tuple(found.get(power, zero_of(entry.shape)) for entry, found in row) for row in entries)
-                )
-                for power in powers
-            }
-        case Power(base, int() as exponent) if 0 < exponent <= LARGEST_DEGREE:
-            return coefficients(reduce(Scale if base.is_scalar else _contracted, [base] * exponent), by)
-        case Scale() | Contract() | Dot() | Cross():
-            parts = [coefficients(part, by) for part in children(node)]
-            chosen = product(*(found.items() for found in parts))
-            return _added([{sum(p for p, _ in each): rebuilt(node, tuple(c for _, c in each))} for each in chosen])
-    raise TypeError(f"{node} is no polynomial in {by}: only such are integrated between limits")
-
-
-def _added(found: Iterable[Mapping[int, Node]]) -> dict[int, Node]:
-    terms: dict[int, list[Node]] = {}
-    for each in found:
-        for power, term in each.items():
-            terms.setdefault(power, []).append(term)
-    return {power: Sum(tuple(same)) if len(same) > 1 else same[0] for power, same in terms.items()}
-
-
-def _contracted(one: Node, other: Node) -> Node:
-    return Contract((one, other))
-
-
 @declaring
 def definite_integral(
     of: Node | int | Fraction, by: Node, lower: Node | int | Fraction, upper: Node | int | Fraction
 ) -> DefiniteIntegral:
-    """The integral of a polynomial in a scalar symbol, from one limit to another."""
+    """The integral of a polynomial in a scalar symbol, exponentials, cosines and sines, from one limit to another."""
     return DefiniteIntegral(lifted(of), by, lifted(lower), lifted(upper))

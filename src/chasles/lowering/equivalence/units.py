@@ -9,7 +9,8 @@ from itertools import combinations_with_replacement
 from chasles.algebra.rings import Polynomial
 from chasles.problems.context import Context
 
-LARGEST_POWER = 4
+LARGEST_POWER, LARGEST_ALONE = 4, 12
+"""Of factors among others, and of one alone, as a distance is raised in the attraction of a flattened body."""
 Product = tuple[Fraction, tuple[int, ...]]
 """A constant, and the powers of the units."""
 
@@ -73,3 +74,5 @@ class Units:
         for degree in range(1, LARGEST_POWER + 1):
             for chosen in combinations_with_replacement(different, degree):
                 yield tuple(chosen.count(k) for k in range(len(atoms)))
+        for degree in range(LARGEST_POWER + 1, LARGEST_ALONE + 1):
+            yield from (tuple(degree * (k == place) for k in range(len(atoms))) for place in different)
