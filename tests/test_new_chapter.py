@@ -277,3 +277,18 @@ def test_conventions_are_lines_of_plain_text(mine: Path, said: str) -> None:
     package = mine / "__init__.py"
     package.write_text(package.read_text("utf-8") + f"CONVENTIONS = {said}\n", "utf-8")
     assert "CONVENTIONS" in run("--chapter", "./mine", "emit", cwd=mine.parent, status=2)
+
+
+def test_a_kernel_that_is_refused_is_told_and_the_others_are_compared(mine: Path) -> None:
+    """Once nothing was compared: the kernels lacked one, and the advice was to build again."""
+    section = mine / "s01_reflection.py"
+    section.write_text(
+        section.read_text("utf-8").replace("kernel=Kernel(of=(n, q))", "kernel=Kernel(of=(q,))"), "utf-8"
+    )
+    assert "refused: " in run("--chapter", "./mine", "emit", cwd=mine.parent, status=1)
+    command = [sys.executable, "-m", "chasles", "--chapter", "./mine", "verify", "--samples", "2"]
+    done = subprocess.run(command, cwd=mine.parent, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "1 kernel (numpy) compared" in done.stdout
+    assert done.stderr.startswith("chasles: not compared: point_from_image: n is free")
+    assert done.stderr.count("\n") == 1

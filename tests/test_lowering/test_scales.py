@@ -19,7 +19,8 @@ from chasles.lowering.passes import scale
 from chasles.lowering.passes.scale import scaled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.scales import is_scale, scale_of
-from chasles.statements import load
+from chasles.statements import Claim, Kernel, load, nonzero
+from chasles.vocabulary import norm, scalar, vector
 
 from ..programs import fractions, run
 
@@ -154,3 +155,15 @@ def test_no_case_may_use_the_scale_otherwise(book, kernel):
     spoiled = replace(steps[readers[0]], operands=tuple(one if k == number else k for k in steps[readers[0]].operands))
     steps[readers[0]] = spoiled
     assert differences(request, replace(program, steps=tuple(steps)))
+
+
+@pytest.mark.parametrize("power", [5, 7])
+def test_a_high_power_of_a_length_is_no_divisor_that_can_be_zero(power):
+    """Once refused: "divides by what can be zero where the formula has a value"."""
+    r, mu = vector("r", "r", "a position"), scalar("mu", "mu", "a parameter")
+    tide = mu / norm(r) ** power * (3 * r @ r.T)
+    said = Claim("1", tide, tide, assuming=(nonzero(norm(r)),), kernel=Kernel(of=(r, mu), name="tide"))
+    request = requested(said, Session().decide)
+    program = program_of(request)
+    assert scales(program)
+    assert differences(request, program) == []

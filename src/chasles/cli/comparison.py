@@ -77,6 +77,10 @@ def compared(
     for (entry, kernel), precision, strategy in progress(tasks, len(tasks), "Comparing with 50 digits"):
         name = kernel.name
         function = getattr(kernels, name, None)
+        if function is None and (why := _refused(entry, kernel, session)):
+            if (precision, strategy) == (PRECISIONS[0], strategies[0]):
+                complain((f"not compared: {why}",))
+            continue
         if function is None:
             raise Failure(
                 f"the kernels installed here ({backend_of(kernels)}) lack {name}: "
@@ -92,6 +96,15 @@ def compared(
 def backend_of(kernels: ModuleType) -> str:
     """Whether the kernels are compiled ("c") or written out in NumPy."""
     return getattr(kernels, "backend", "numpy")
+
+
+def _refused(entry: Entry, kernel: Kernel, session: Session) -> str:
+    """Why no kernel is made of a declaration; nothing where one is."""
+    try:
+        lower(entry, session.decide, kernel)
+    except LoweringError as why:
+        return str(why)
+    return ""
 
 
 def _specification(entry: Entry, kernel: Kernel, session: Session) -> Specification:

@@ -78,7 +78,7 @@ class Grade:
 def new_data(exercise: Exercise, seed: int) -> dict[str, Any]:
     """New data for an exercise, as a data file has them. Raises DataError for an exercise without numbers."""
     if exercise.instance is None:
-        raise DataError(f"exercise {exercise.number} has no data to practise with")
+        raise DataError(f"exercise {exercise.number} has no data to practise with: it has no `instance`")
     drawn: dict[str, Any] = exercise.instance(Draw(f"{exercise.number} {seed}"))
     return drawn
 
