@@ -34,7 +34,7 @@ from chasles.vocabulary import (
     uniform,
     vector,
 )
-from chasles.vocabulary.antiderivatives import Term, terms_of
+from chasles.vocabulary.antiderivatives import Oscillation, oscillations_in
 from chasles.vocabulary.definite_integrals import definite_integral
 from chasles.vocabulary.functions import cases, cosh, exp, log, maximum, sign, sinh, sqrt
 from chasles.vocabulary.hadamard import hadamard_product
@@ -172,11 +172,11 @@ def test_what_depends_on_the_variable_by_another_way_is_undecided() -> None:
 def test_coefficients_are_those_of_the_polynomial() -> None:
     t = sympy.Symbol("x")
     of = (x - 2) ** 3 * (x**2 + 1) / 3 - (1 - x) * x
-    found = terms_of(of, x)
+    found = oscillations_in(of, x)
     expected = sympy.Poly((t - 2) ** 3 * (t**2 + 1) / 3 - (1 - t) * t, t)
     for power in range(6):
         wanted = expected.coeff_monomial(t**power)
-        value = found.get(Term(power), number(0))
+        value = found.get(Oscillation(power), number(0))
         assert Session().decide(Claim("6", value, number(Fraction(int(wanted.p), int(wanted.q))))).verdict.true
 
 

@@ -30,7 +30,7 @@ Complex = tuple[Node | None, Node | None]
 
 
 @dataclass(frozen=True, slots=True)
-class Term:
+class Oscillation:
     """A power of the symbol, times an exponential of a multiple of it, times the cosine or sine of a multiple."""
 
     power: int = 0
@@ -39,7 +39,7 @@ class Term:
     sine: bool = False
 
     @property
-    def turned(self) -> tuple[int, Term] | None:
+    def turned(self) -> tuple[int, Oscillation] | None:
         """The same with a sign in front, the multiple in the sine or cosine beginning with no sign; None for zero."""
         if not self.turn or self.turn[0][1] > 0:
             return None if self.sine and not self.turn else (1, self)
@@ -47,11 +47,11 @@ class Term:
         return (-1 if self.sine else 1), replace(self, turn=turn)
 
 
-def multiplied(one: Term, other: Term) -> Iterator[tuple[Fraction, Term]]:
+def multiplied(one: Oscillation, other: Oscillation) -> Iterator[tuple[Fraction, Oscillation]]:
     """The product of two as a sum of multiples of such."""
     _require_letters(one.growth, other.growth)
     _require_letters(one.turn, other.turn)
-    both = Term(one.power + other.power, _added_rates(one.growth, other.growth))
+    both = Oscillation(one.power + other.power, _added_rates(one.growth, other.growth))
     if not one.turn or not other.turn:
         turning = one if one.turn else other
         yield Fraction(1), replace(both, turn=turning.turn, sine=turning.sine)
@@ -64,7 +64,7 @@ def multiplied(one: Term, other: Term) -> Iterator[tuple[Fraction, Term]]:
             yield half * found[0], found[1]
 
 
-def integrated(term: Term, by: Node) -> Node:
+def integrated(term: Oscillation, by: Node) -> Node:
     """An antiderivative, by the rule of integration by parts."""
     n, growth, turn = term.power, _combined(term.growth), _combined(term.turn)
     if growth is None and turn is None:
@@ -86,23 +86,23 @@ def integrated(term: Term, by: Node) -> Node:
     return total if growth is None else Scale(exp(Scale(growth, by)), total)
 
 
-def terms_of(node: Node, by: Node) -> dict[Term, Node]:
+def oscillations_in(node: Node, by: Node) -> dict[Oscillation, Node]:
     """What multiplies each such term in an expression; raises TypeError where it is no sum of them."""
     if by not in walk(node):
-        return {} if isinstance(node, Zero) or node == Number(Fraction(0)) else {Term(): node}
+        return {} if isinstance(node, Zero) or node == Number(Fraction(0)) else {Oscillation(): node}
     match node:
         case Symbol():
-            return {Term(1): Number(Fraction(1))}
+            return {Oscillation(1): Number(Fraction(1))}
         case Group(of):
-            return terms_of(of, by)
+            return oscillations_in(of, by)
         case Negative() | Transpose() | At() | Skew() | Trace() | Vect():
-            return {term: rebuilt(node, (each,)) for term, each in terms_of(children(node)[0], by).items()}
+            return {term: rebuilt(node, (each,)) for term, each in oscillations_in(children(node)[0], by).items()}
         case Quotient(numerator, denominator) if by not in walk(denominator):
-            return {term: Quotient(each, denominator) for term, each in terms_of(numerator, by).items()}
+            return {term: Quotient(each, denominator) for term, each in oscillations_in(numerator, by).items()}
         case Sum(parts):
-            return _added(pair for part in parts for pair in terms_of(part, by).items())
+            return _added(pair for part in parts for pair in oscillations_in(part, by).items())
         case Block(rows):
-            entries = [[(entry, terms_of(entry, by)) for entry in row] for row in rows]
+            entries = [[(entry, oscillations_in(entry, by)) for entry in row] for row in rows]
             known = dict.fromkeys(term for row in entries for _, found in row for term in found)
             return {
                 term: Block(
@@ -111,33 +111,35 @@ def terms_of(node: Node, by: Node) -> dict[Term, Node]:
                 for term in known
             }
         case Power(base, int() as exponent) if 0 < exponent <= LARGEST_DEGREE:
-            return terms_of(reduce(Scale if base.is_scalar else _contracted, [base] * exponent), by)
+            return oscillations_in(reduce(Scale if base.is_scalar else _contracted, [base] * exponent), by)
         case Scale() | Contract() | Dot() | Cross():
-            return _added(_products(node, [terms_of(part, by) for part in children(node)]))
+            return _added(_products(node, [oscillations_in(part, by) for part in children(node)]))
         case Call("cos" | "sin" as function, argument):
             rate, rest = _linear(argument, by)
             sine = function == "sin"
             shifted = (sine, cos(rest)), (not sine, sin(rest) if sine else Negative(sin(rest)))
-            found = [(Term(turn=rate, sine=kind).turned, each) for kind, each in shifted]
+            found = [(Oscillation(turn=rate, sine=kind).turned, each) for kind, each in shifted]
             return _added((told[1], Scale(lifted(told[0]), each)) for told, each in found if told)
         case FunctionOf("exp", (argument,)):
             rate, rest = _linear(argument, by)
-            return {Term(growth=rate): exp(rest)}
+            return {Oscillation(growth=rate): exp(rest)}
         case FunctionOf("cosh" | "sinh" as function, (argument,)):
             sign = 1 if function == "cosh" else -1
-            return terms_of(Quotient(Sum((exp(argument), Scale(lifted(sign), exp(Negative(argument))))), lifted(2)), by)
+            return oscillations_in(
+                Quotient(Sum((exp(argument), Scale(lifted(sign), exp(Negative(argument))))), lifted(2)), by
+            )
     raise TypeError(
         f"{node} is no polynomial in {by}, nor one in exponentials, cosines and sines of its multiples: "
         "only such are integrated between limits"
     )
 
 
-def _products(node: Node, found: list[dict[Term, Node]]) -> Iterator[tuple[Term, Node]]:
+def _products(node: Node, found: list[dict[Oscillation, Node]]) -> Iterator[tuple[Oscillation, Node]]:
     for chosen in product(*(each.items() for each in found)):
         of = rebuilt(node, tuple(each for _, each in chosen))
-        sums: dict[Term, Fraction] = {Term(): Fraction(1)}
+        sums: dict[Oscillation, Fraction] = {Oscillation(): Fraction(1)}
         for term, _ in chosen:
-            told: dict[Term, Fraction] = {}
+            told: dict[Oscillation, Fraction] = {}
             for known, times in sums.items():
                 for share, each in multiplied(known, term):
                     told[each] = told.get(each, Fraction(0)) + times * share
@@ -147,10 +149,10 @@ def _products(node: Node, found: list[dict[Term, Node]]) -> Iterator[tuple[Term,
 
 def _linear(argument: Node, by: Node) -> tuple[Rate, Node]:
     """By what a symbol is multiplied in the argument of a function, and the rest of it."""
-    found = terms_of(argument, by)
-    if not found.keys() <= {Term(), Term(1)}:
+    found = oscillations_in(argument, by)
+    if not found.keys() <= {Oscillation(), Oscillation(1)}:
         raise TypeError(f"{argument} is no multiple of {by} and a rest: only such are integrated between limits")
-    return _polynomial(found.get(Term(1), lifted(0))), found.get(Term(), lifted(0))
+    return _polynomial(found.get(Oscillation(1), lifted(0))), found.get(Oscillation(), lifted(0))
 
 
 def _polynomial(node: Node) -> Rate:
@@ -224,8 +226,8 @@ def _sum(one: Node | None, other: Node | None) -> Node | None:
     return other if one is None else one if other is None else Sum((one, other))
 
 
-def _added(found: Iterable[tuple[Term, Node]]) -> dict[Term, Node]:
-    terms: dict[Term, list[Node]] = {}
+def _added(found: Iterable[tuple[Oscillation, Node]]) -> dict[Oscillation, Node]:
+    terms: dict[Oscillation, list[Node]] = {}
     for term, each in found:
         terms.setdefault(term, []).append(each)
     return {term: Sum(tuple(same)) if len(same) > 1 else same[0] for term, same in terms.items()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from chasles.vocabulary.antiderivatives import integrated, terms_of
+from chasles.vocabulary.antiderivatives import integrated, oscillations_in
 from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.letters import Symbol, Zero
@@ -47,7 +47,7 @@ class DefiniteIntegral(CarriedOut):
         if any(part in by and part != self.by for part in walk(of)):
             raise TypeError(f"an integral by {self.by} is taken, and {self.of} depends on what {self.by} is")
         terms: list[Node] = []
-        for term, coefficient in terms_of(of, self.by).items():
+        for term, coefficient in oscillations_in(of, self.by).items():
             found = integrated(term, self.by)
             above, below = (replace(found, {self.by: limit}) for limit in (self.upper, self.lower))
             terms.append(Scale(Sum((above, Negative(below))), coefficient))
