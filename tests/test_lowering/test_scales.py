@@ -166,4 +166,4 @@ def test_a_high_power_of_a_length_is_no_divisor_that_can_be_zero(power):
     request = requested(said, Session().decide)
     program = program_of(request)
     assert scales(program)
-    assert differences(request, program) == []
+    assert differences(request, program) == ()
