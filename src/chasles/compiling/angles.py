@@ -147,6 +147,7 @@ class WholeAngle:
         self._terms = self._angle.as_coefficients_dict() if angle.is_Add else {}
         self.symbol = ROOT if sympy.S.Half in self._powers.values() else ANGLE
         self._done: dict[sympy.Basic, sympy.Basic] = {self._angle: self.symbol}
+        self._back = Substitution({self.symbol: self._angle})
 
     def occurs_in(self, parts: Iterable[sympy.Basic]) -> bool:
         """Whether one of them is zero where the angle is, as far as it is seen."""
@@ -170,7 +171,7 @@ class WholeAngle:
 
     def back(self, expression: sympy.Basic) -> sympy.Basic:
         """The expression with the angle again."""
-        return Substitution({self.symbol: self._angle}).of(expression)
+        return self._back.of(expression)
 
     def _product(self, product: sympy.Expr) -> sympy.Expr:
         """With the powers of the angle that it is divided by, or else those that are in it."""

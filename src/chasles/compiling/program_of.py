@@ -14,6 +14,7 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import within
+from chasles.compiling.angle_symbols import AngleSymbols
 from chasles.compiling.angles import parts_of
 from chasles.compiling.derived import DerivedResults
 from chasles.compiling.elementary import functions_by_class
@@ -59,7 +60,7 @@ def program_of(
     def spelled(outputs: Sequence[ResultEntries], *, common: bool) -> Program:
         return _program(name, inputs, outputs, derived, common=common)
 
-    symbols: dict[sympy.Basic, sympy.Basic] = {}
+    symbols = AngleSymbols()
     outputs = [
         with_fields(o, entries=tuple(without_removable(e, symbols) for e in in_known_functions(o.entries)))
         for o in outputs

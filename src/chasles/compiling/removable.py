@@ -8,45 +8,29 @@ small; elsewhere a quotient of them stays as it is.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import sympy
 from sympy.concrete.expr_with_limits import ExprWithLimits
-from sympy.core.relational import Relational
 
-from chasles.compiling.angles import (
-    ANGLE,
-    KNOWN,
-    QUOTIENTS,
-    ROOT,
-    WholeAngle,
-    angle_of,
-    divisors,
-    parts_of,
-    parts_of_kinds,
-    square_of,
-    with_series,
-)
+from chasles.compiling.angle_symbols import NORM, AngleSymbols
+from chasles.compiling.angles import KNOWN, QUOTIENTS, ROOT, angle_of, divisors, parts_of, parts_of_kinds
 from chasles.compiling.complements import by_complements
 from chasles.compiling.exponentials import with_points_together
 from chasles.compiling.growth import in_range
 from chasles.compiling.near_zero import in_squares, where_near, without_cancellation
 from chasles.compiling.singular_points import without_singular_points
 from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial
-from chasles.compiling.variables import Substitution, outermost
+from chasles.compiling.variables import Substitution
 
 LEFT = (Stumpff, TaylorPolynomial)
-NORM = sympy.Dummy("norm", dummy_index=2, nonnegative=True)
-"""The symbol in place of an angle that is a root."""
-_ANGLES = {ANGLE, ROOT, NORM}
 
 
-def without_removable(expression: sympy.Basic, symbols: dict[Any, Any] | None = None) -> sympy.Basic:
+def without_removable(expression: sympy.Basic, symbols: AngleSymbols | None = None) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there.
 
-    `symbols` has those that stand for what does not change with an angle, and gets more: expressions that have them in
-    common are looked at once.
+    Expressions that are given the same `symbols` are looked at once where they have parts in common.
     """
     if any(isinstance(part, ExprWithLimits) for part in parts_of(expression, ())):
         # There is no program for it: what is said of it shall be said of what was given.
@@ -57,9 +41,7 @@ def without_removable(expression: sympy.Basic, symbols: dict[Any, Any] | None = 
     if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
         table = dict(_by_roots(parts, divided))
         table |= {part: with_points_together(part) for part in parts if part.is_Add}
-        found = _with_limits(
-            Substitution(table).of(expression) if table else expression, {} if symbols is None else symbols
-        )
+        found = _with_limits(Substitution(table).of(expression) if table else expression, symbols or AngleSymbols())
     return without_cancellation(in_range(without_singular_points(found)))
 
 
@@ -74,7 +56,7 @@ def _by_roots(parts: Collection[sympy.Basic], divided: Collection[sympy.Expr]) -
                 yield part, sympy.atan2(root, of) if isinstance(part, sympy.acos) else sympy.asinh(root)
 
 
-def _with_limits(expression: sympy.Basic, symbols: dict[Any, Any]) -> sympy.Basic:
+def _with_limits(expression: sympy.Basic, symbols: AngleSymbols) -> sympy.Basic:
     """The expression, one angle after the other."""
     parts = parts_of(expression, ())
     divided = divisors(parts)
@@ -85,17 +67,13 @@ def _with_limits(expression: sympy.Basic, symbols: dict[Any, Any]) -> sympy.Basi
     for angle, functions in by_angle.items():
         if angle.is_Symbol or not divided:
             continue
-        table = {f: other for f in functions if (other := with_series(f)) != f}
-        stated = Substitution(table).of(expression) if table else expression
-        apart = _as_symbol(stated, angle)
-        if apart is None:
+        symbol = symbols.of(angle)
+        stated, table = symbol.in_series(expression, functions)
+        inner = symbol.of(stated)
+        if inner is None:
             continue
-        inner, back = apart
-        # What does not change with the angle is a symbol, however long it is.
-        rest = {part: symbols.setdefault(part, sympy.Dummy(real=True)) for part in outermost([inner], _is_fixed)}
-        regular = _of_squares(without_singular_points(Substitution(rest).of(inner)))
-        again = {dummy: part for part, dummy in rest.items()}
-        found = back(Substitution(again).of(regular))
+        regular = _of_squares(without_singular_points(symbols.without_fixed(inner)))
+        found = symbol.back(symbols.with_fixed(regular))
         # SymPy leaves the size of a square out, and what is put in for it may be negative.
         less = (sympy.StrictLessThan,)
         bare = {n for n in parts_of_kinds(found, less) - parts_of_kinds(stated, less) if n.rhs.is_number}
@@ -103,53 +81,9 @@ def _with_limits(expression: sympy.Basic, symbols: dict[Any, Any]) -> sympy.Basi
         found = Substitution(sizes).of(found) if sizes else found
         made = parts_of(found, ())
         if parts_of_kinds(found, LEFT) or len(divisors(made)) < len(divisors(parts)):
-            expression = _as_stated(found, table, expression)
+            expression = symbol.as_stated(found, table, expression)
             parts = parts_of(expression, ())
     return expression
-
-
-def _is_fixed(part: Any) -> bool:
-    return (
-        isinstance(part, sympy.Add | sympy.Mul)
-        and _ANGLES.isdisjoint(parts_of_kinds(part, (sympy.Symbol,)))
-        and not part.is_number
-    )
-
-
-def _as_symbol(stated: sympy.Basic, angle: sympy.Expr) -> Any:
-    """The expression in a symbol for the angle, and the way back; None where nothing is divided by that vanishes."""
-    # What is asked of signs is not asked of the symbol.
-    conditions = {part: sympy.Dummy() for part in parts_of(stated, ()) if isinstance(part, Relational)}
-    stated, again = Substitution(conditions).of(stated), {dummy: part for part, dummy in conditions.items()}
-    square, parts = square_of(angle), parts_of(stated, ())
-    divided, is_root = divisors(parts), angle != square and angle.is_Pow and angle.exp == sympy.S.Half
-    if is_root and not square.is_Add:
-        known = square if square.is_Symbol else -square
-        if not known.is_Symbol or divided.isdisjoint((known, square, angle)):
-            return None
-        # Where there is the root there is none of the opposite.
-        held = {part: sympy.Dummy(real=True) for part in parts if part.is_Pow and part.base == -square}
-        table = {known: NORM**2 if known == square else -(NORM**2), **held}
-        back = {NORM: angle, **again, **{dummy: part for part, dummy in held.items()}}
-        return Substitution(table).of(stated), Substitution(back).of
-    whole = WholeAngle(square if is_root else angle)
-    if not whole.occurs_in(divided):
-        return None
-    inner = whole.of(stated)
-    if is_root:
-        return Substitution({whole.symbol: NORM**2}).of(inner), Substitution({NORM: angle, **again}).of
-    return inner, lambda found: Substitution(again).of(whole.back(found))
-
-
-def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], stated: sympy.Basic) -> Any:
-    """What is found, with functions as stated where they are left; an arctangent is one in the right half-plane."""
-    kept = {other: f for f, other in table.items()}
-    right = [f.args[1] > 0 for f in table if isinstance(f, sympy.atan2)]
-    if right:
-        less = (sympy.StrictLessThan,)
-        made = parts_of_kinds(found, less) - parts_of_kinds(stated, less)
-        kept |= {part: sympy.And(part, *right) for part in made}
-    return Substitution(kept).of(found) if kept else found
 
 
 def _of_squares(expression: Any) -> Any:

@@ -124,7 +124,23 @@ def _over_one(expression: Any, point: SymbolValue) -> tuple[Any, dict[Any, int]]
     return sympy.Add(*(above * by for (above, _), by in zip(parts, missing, strict=True))), common
 
 
-_in_factors = lru_cache(KEPT)(sympy.factor_terms)
+@lru_cache(KEPT)
+def _in_factors(expression: Any) -> Any:
+    """The expression with powers that all terms of a sum have in common before it."""
+    if not (expression.is_Add or expression.is_Mul or (expression.is_Pow and expression.exp.is_Integer)):
+        return expression
+    parts = [_in_factors(part) for part in expression.args]
+    found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts)
+    if not found.is_Add:
+        return found
+    powers = [dict(factor.as_base_exp() for factor in sympy.Mul.make_args(term)) for term in found.args]
+    shared = {base: min(each.get(base, 0) for each in powers) for base in powers[0] if _is_shared(base, powers)}
+    common = sympy.Mul(*(base**power for base, power in shared.items()))
+    return found if common is sympy.S.One else common * sympy.Add(*(term / common for term in found.args))
+
+
+def _is_shared(base: Any, powers: Sequence[dict[Any, Any]]) -> bool:
+    return not base.is_number and all(base in each and each[base].is_Rational for each in powers)
 
 
 @lru_cache(KEPT)

@@ -113,9 +113,15 @@ class Substitution:
     """Replaces variables in expressions; a part that occurs again is replaced once."""
 
     def __init__(self, table: Mapping[sympy.Basic, sympy.Basic]) -> None:
-        self._table = table
+        self._table = dict(table)
         self._done: dict[sympy.Basic, Any] = dict(table)
         self._matrices = False
+
+    def learn(self, table: Mapping[Any, Any]) -> Substitution:
+        """The same, which replaces more: what is in no expression so far."""
+        self._table |= table
+        self._done |= table
+        return self
 
     def of(self, expression: sympy.Basic) -> Any:
         """The expression without its variables. Raises `LoweringError` where it has no value for real ones."""
