@@ -329,6 +329,27 @@ def test_what_is_computed_otherwise_is_in_range(scale):
     assert slopes == pytest.approx([0.6, -0.2], rel=1e-14)
 
 
+@pytest.mark.parametrize(
+    ("expression", "point"),
+    [
+        (sp.beta(x, y), (100.5, 94.25)),
+        (sp.binomial(x, y), (300.5, 150.0)),
+        (sp.gamma(x + y) / sp.gamma(x), (500.0, 0.5)),
+    ],
+    ids=str,
+)
+def test_quotients_of_gamma_functions_that_overflow_are_in_range(expression, point):
+    for at in (point, (4.5, 2.25)):
+        with mpmath.workdps(50):
+            wanted = sp.lambdify([x, y], expression.rewrite(sp.gamma), "mpmath")(*map(mpmath.mpf, at))
+        assert float(chasles.compile(expression, [x, y])(*at)) == pytest.approx(float(wanted), rel=1e-12)
+
+
+def test_a_limit_that_is_not_taken_is_named_as_given():
+    with pytest.raises(ValueError, match=r"Limit\(sin\(x\)/x, x, 0.*\) is not evaluated .*call \.doit\(\) first"):
+        chasles.compile(y * sp.Limit(sp.sin(x) / x, x, 0), [y])
+
+
 def test_means_of_differences_that_meet():
     """The logarithmic mean of temperature differences."""
     mean = ((x - y) - (A - B)) / sp.log((x - y) / (A - B))

@@ -22,6 +22,8 @@ from chasles.compiling.near_zero import without_cancellation
 from chasles.compiling.taylor import NearZero, WholeChoice
 from chasles.compiling.variables import HELD
 
+_LARGE = 100
+"""Products of gamma functions of less are in range."""
 _MOST_POWER = 3
 """Of products of so many sums exponentials are shared."""
 
@@ -47,7 +49,7 @@ def in_range(expression: Any, far: frozenset[Any] = frozenset()) -> Any:
     if isinstance(found, sympy.log):
         return _logarithm(found, far)
     if isinstance(found, sympy.Mul | sympy.Pow):
-        return _with_logarithm(_quotient(found, far))
+        return _of_gammas(_with_logarithm(_quotient(found, far)))
     return found
 
 
@@ -62,6 +64,19 @@ def _angle(multiple: Any) -> Any:
     """It, whatever number it is multiplied by."""
     rest = multiple.expand().primitive()[1]
     return -rest if rest.could_extract_minus_sign() else rest
+
+
+def _of_gammas(product: Any) -> Any:
+    """The product; gamma functions and what they are divided by are one exponential where one of them may overflow."""
+    powers = [factor.as_base_exp() for factor in sympy.Mul.make_args(product)]
+    gammas = [(base, power) for base, power in powers if isinstance(base, sympy.gamma) and power.is_Integer]
+    if len({power.is_positive for _, power in gammas}) < 2:
+        return product
+    args = [base.args[0] for base, _ in gammas]
+    logarithm = sympy.Add(*(power * sympy.loggamma(base.args[0]) for base, power in gammas))
+    is_large = sympy.And(*(of > 0 for of in args), sympy.Or(*(of > _LARGE for of in args)))
+    stated = sympy.Mul(*(base**power for base, power in gammas))
+    return product / stated * WholeChoice((sympy.exp(logarithm), is_large), (stated, True), evaluate=False)
 
 
 def _with_logarithm(product: Any) -> Any:

@@ -32,7 +32,7 @@ def without_removable(expression: sympy.Basic, symbols: AngleSymbols | None = No
 
     Expressions that are given the same `symbols` are looked at once where they have parts in common.
     """
-    if any(isinstance(part, ExprWithLimits) for part in parts_of(expression, ())):
+    if any(isinstance(part, ExprWithLimits | sympy.Limit) for part in parts_of(expression, ())):
         # There is no program for it: what is said of it shall be said of what was given.
         return expression
     expression = by_complements(expression)

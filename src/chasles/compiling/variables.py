@@ -21,7 +21,7 @@ from chasles.compiling.scalars import shown
 from chasles.lowering.refusal import LoweringError
 
 _KINDS = (sympy.Symbol, sympy.Derivative, AppliedUndef, sympy.Indexed)
-_BINDING = (ExprWithLimits, sympy.Lambda, sympy.Subs, RootOf, sympy.RootSum)
+_BINDING = (ExprWithLimits, sympy.Lambda, sympy.Limit, sympy.Subs, RootOf, sympy.RootSum)
 HELD = (sympy.sin, sympy.cos, sympy.exp, sympy.log)
 _MATRICES = (sympy.MatrixExpr, sympy.MatrixBase)
 
