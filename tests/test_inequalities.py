@@ -8,6 +8,8 @@ import pytest
 
 from chasles.checker.certificate import Rejected, check
 from chasles.decisions.session import Session
+from chasles.report import details
+from chasles.report.equations import in_both, in_latex, in_words
 from chasles.statements import Claim, Definition, nonzero, positive, unit
 from chasles.statements.inequalities import inequality, says_that
 from chasles.verdict import Contradictory, Fails, HoldsUnder, Undecided
@@ -180,3 +182,16 @@ def test_only_scalars_of_one_dimension_are_compared() -> None:
     with pytest.raises(Misfit):
         inequality(scalar("l", "l", "a length", LENGTH) > x)
     assert inequality(dot(v, w) >= rate(t) * 0).text == "v . w >= t_dot 0"
+
+
+def test_a_comparison_is_printed_as_one_and_its_repair_compares() -> None:
+    """Once printed as |d| = d, and repaired to a sum that is not negative."""
+    a, b = scalar("a", "a", "a length"), scalar("b", "b", "another")
+    wrong = Claim("1", *says_that((a + b) ** 2 <= a**2 + b**2), assuming=(positive(a), positive(b)))
+    assert in_words(wrong) == ("a^2 + b^2 >= (a + b)^2",)
+    assert in_latex(wrong) == (r"a^2 + b^2 \geq \left( a + b \right)^2",)
+    assert in_words(Claim("2", *says_that(a**2 + 1 > 0))) == ("a^2 + 1 > 0",)
+    assert in_words(Claim("3", *says_that(-(a**2) <= 0))) in {("a^2 >= 0",), ("-(-a^2) >= 0",), ("-a^2 <= 0",)}
+    decision = Session().decide(wrong)
+    assert " - (a + b)^2 = -" in dict(details.refuted(decision.verdict.counterexample, wrong))["where"]
+    assert decision.correction is None or " >= (" in in_both(decision.correction.sides, "=")[0]

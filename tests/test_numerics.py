@@ -36,6 +36,7 @@ from chasles.statements import (
     Definition,
     Inverse,
     Kernel,
+    definite,
     half_turn,
     nonzero,
     orthonormal,
@@ -44,7 +45,9 @@ from chasles.statements import (
     rotation,
     symmetric,
     unit,
+    unit_column,
 )
+from chasles.statements.matrices import skew_symmetric
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
@@ -686,3 +689,15 @@ def test_an_inverse_kernel_is_compared_at_the_point_of_which_its_input_is_the_ro
     assert not lossy.passed
     assert {finding.output for finding in lossy.failures} == {"e"}
     assert lossy.failures[0].error > 100 > lossy.failures[0].allowed
+
+
+def test_inputs_of_unit_columns_and_definite_and_skew_matrices_satisfy_them() -> None:
+    """Once "cannot be drawn yet", and no kernel of the chapter was compared."""
+    M, S, u, s = square("M", "M", ""), square("S", "S", ""), vector("u", "u", ""), scalar("s", "s", "")
+    hypotheses = (unit_column(u, s), definite(M), skew_symmetric(S))
+    for sample in samples(bare_request(hypotheses, u, s, M, S), "generic", 5):
+        x, y, m, n = (sample.arrays[node] for node in (u, s, M, S))
+        assert np.isclose(x @ x + y * y, 1)
+        assert np.allclose(m, m.T)
+        assert np.all(np.linalg.eigvalsh(m) > 0)
+        assert np.allclose(n, -n.T)

@@ -98,6 +98,15 @@ def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], asked: Specificati
     match hypothesis.kind:
         case "unit":
             return {subjects[0]: [[x] for x in _unit(subjects[0].shape[0], draws)]}
+        case "unit column":
+            whole = iter(_unit(sum(subject.shape[0] for subject in subjects), draws))
+            return {subject: [[next(whole)] for _ in range(subject.shape[0])] for subject in subjects}
+        case "definite":
+            m = point[subjects[0]]
+            return {subjects[0]: product(m, transposed(m))}
+        case "skew-symmetric":
+            m = point[subjects[0]]
+            return {subjects[0]: [[(m[i][j] - m[j][i]) / 2 for j in range(len(m))] for i in range(len(m))]}
         case "rotation":
             return {subjects[0]: turned(draws.direction(), draws.angle())}
         case "half_turn":

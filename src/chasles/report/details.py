@@ -16,7 +16,9 @@ from chasles.report.records import certificate_hash
 from chasles.report.words import entry_in_words, point_in_words, said
 from chasles.statements import Entry, Inverse, Statement
 from chasles.statements.elsewhere import chapter_of, cited
+from chasles.statements.inequalities import difference_of
 from chasles.verdict import Counterexample, Fails, Verdict
+from chasles.vocabulary import plain
 
 Lines = Iterator[tuple[str, str]]
 
@@ -102,6 +104,10 @@ def refuted(found: Counterexample, statement: object) -> Lines:
     """A counterexample: where, and what the sides come to there."""
     which = "; ".join(filter(None, (entry_in_words(found, statement), found.goal)))
     yield "at", point_in_words(found.at) or "every point"
+    sides = statement.printed if isinstance(statement, Statement) else ()
+    if sides and (difference := difference_of(*sides)) is not None and sides[1] == difference:
+        yield "where", f"{plain(difference)} = {found.right}"
+        return
     yield "left", f"{found.left}   ({which})" if which else found.left
     yield "right", found.right
 

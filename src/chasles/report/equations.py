@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from chasles.statements import Chapter, Entry, Inverse, Packed, Stack, Statement, Theorem
+from chasles.statements.inequalities import ONE, PRINTED, ZERO, difference_of
 from chasles.statements.kernel import Argument
 from chasles.statements.statement import Equation
-from chasles.vocabulary import Node, latex, plain
+from chasles.vocabulary import Negative, Node, Sum, latex, plain
 
 Sentence = Statement | Theorem | Inverse
 
@@ -25,12 +26,12 @@ def labelled_equations(sentence: Sentence) -> Iterator[tuple[str, Node, Node]]:
 
 def in_words(sentence: Sentence) -> tuple[str, ...]:
     """The equations in plain text, in the book's order: several for a theorem, one line a case for an inverse."""
-    return _equations(sentence, plain, lambda _: "=")
+    return _equations(sentence, plain, False)
 
 
 def in_latex(sentence: Sentence) -> tuple[str, ...]:
     """The same in LaTeX."""
-    return _equations(sentence, latex, lambda sign: sign)
+    return _equations(sentence, latex, True)
 
 
 def hypotheses_in_latex(book: Chapter) -> dict[str, str]:
@@ -40,8 +41,22 @@ def hypotheses_in_latex(book: Chapter) -> dict[str, str]:
 
 def in_both(sides: Equation, sign: str) -> tuple[str, str]:
     """An equation in plain text and in LaTeX."""
-    left, right = sides
-    return f"{plain(left)} = {plain(right)}", f"{latex(left)} {sign} {latex(right)}"
+    left, sign, right, mark = compared(*sides, sign)
+    return f"{plain(left)} {mark} {plain(right)}", f"{latex(left)} {sign} {latex(right)}"
+
+
+def compared(left: Node, right: Node, sign: str = "=") -> tuple[Node, str, Node, str]:
+    """The sides with the sign between them, in LaTeX and in plain text: that of a comparison where they say one."""
+    difference = difference_of(left, right)
+    if difference is None:
+        return left, sign, right, "="
+    mark = ">" if right == ONE else ">="
+    if isinstance(difference, Negative):
+        mark = mark.replace(">", "<")
+        return difference.term, PRINTED[mark], ZERO, mark
+    if isinstance(difference, Sum) and len(difference.terms) == 2 and isinstance(difference.terms[1], Negative):
+        return difference.terms[0], PRINTED[mark], difference.terms[1].term, mark
+    return difference, PRINTED[mark], ZERO, mark
 
 
 def signature_in_words(entry: Entry) -> str | None:
@@ -61,9 +76,13 @@ def argument_in_words(argument: Argument) -> str:
             return plain(argument)
 
 
-def _equations(sentence: Sentence, spell: Callable[[Node], str], sign: Callable[[str], str]) -> tuple[str, ...]:
-    mark = sign(sentence.sign if isinstance(sentence, Statement) else "=")
+def _equations(sentence: Sentence, spell: Callable[[Node], str], in_latex: bool) -> tuple[str, ...]:
+    sign = sentence.sign if isinstance(sentence, Statement) else "="
+
+    def said(left: Node, right: Node) -> str:
+        one, printed, other, mark = compared(left, right, sign)
+        return f"{spell(one)} {printed if in_latex else mark} {spell(other)}"
+
     if isinstance(sentence, Inverse):
-        cases = [[f"{spell(left)} {mark} {spell(right)}" for left, right in b.values] for b in sentence.branches]
-        return tuple(", ".join(case) for case in cases)
-    return tuple(f"{spell(left)} {mark} {spell(right)}" for _, left, right in labelled_equations(sentence))
+        return tuple(", ".join(said(*sides) for sides in branch.values) for branch in sentence.branches)
+    return tuple(said(left, right) for _, left, right in labelled_equations(sentence))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
+from xml.etree.ElementTree import Element
 
 from markupsafe import Markup, escape
 
@@ -11,7 +12,7 @@ from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.session import Decision
 from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
-from chasles.report.equations import Sentence, labelled_equations
+from chasles.report.equations import Sentence, compared, in_both, labelled_equations
 from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import CODE, proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
@@ -55,7 +56,8 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
 
 def equation(left: Node, right: Node, sign: str = "=", label: str = "") -> Equation:
     """An equation as the page shows it."""
-    return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} = {plain(right)}", label)
+    left, sign, right, mark = compared(left, right, sign)
+    return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} {mark} {plain(right)}", label)
 
 
 def expression(node: Node) -> Equation:
@@ -67,10 +69,15 @@ def as_printed(sentence: Sentence, found: Sequence[Replacement]) -> tuple[Equati
     """The equations as printed; what was changed to make one right is marked."""
     if not isinstance(sentence, Statement):
         return tuple(equation(left, right, "=", label) for label, left, right in labelled_equations(sentence))
-    tree = equation_tree(sentence.left, sentence.right, sentence.sign)
+    tree = _tree(sentence)
     for replacement in found[:1]:
-        mark_differences(tree, equation_tree(replacement.left, replacement.right, replacement.sign))
-    return (Equation(markup(tree), f"{plain(sentence.left)} = {plain(sentence.right)}"),)
+        mark_differences(tree, _tree(replacement))
+    return (Equation(markup(tree), in_both((sentence.left, sentence.right), sentence.sign)[0]),)
+
+
+def _tree(said: Statement | Replacement) -> Element:
+    left, sign, right, _ = compared(said.left, said.right, said.sign)
+    return equation_tree(left, right, sign)
 
 
 def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
@@ -138,10 +145,9 @@ def _with_rates(sides: Iterable[Node]) -> list[Node]:
 
 def _repaired(book: Book, entry: Entry, replacement: Replacement) -> Repaired:
     assert isinstance(entry.statement, Statement)
-    before = equation_tree(entry.statement.left, entry.statement.right, entry.statement.sign)
-    after = equation_tree(replacement.left, replacement.right, replacement.sign)
-    mark_differences(before, after)
-    words = f"{plain(replacement.left)} = {plain(replacement.right)}"
+    after = _tree(replacement)
+    mark_differences(_tree(entry.statement), after)
+    words, _ = in_both((replacement.left, replacement.right), replacement.sign)
     sides = (*entry.statement.printed, *_read(entry.statement), replacement.left, replacement.right)
     changes = tuple(with_formulas(change, sides) for change in replacement.changes)
     return Repaired(Equation(markup(after), words), _stands(book, replacement), replacement.who_found, changes)
