@@ -43,19 +43,12 @@ def edited(left: Node, right: Node, edits: Callable[[Node], Iterator[SingleEdit]
     if (difference := difference_of(left, right)) is not None:
         for new, words, effort in islice(edits(difference), MOST):
             sign = ">=" if left == abs(difference) else ">"
-            # That a sum of both sides is positive says little of them: it comes last.
-            last = MOST * (_compares(difference) and not _compares(new))
-            yield Change(*says_that(Relation(new, sign, ZERO)), (words,), effort + last)
+            yield Change(*says_that(Relation(new, sign, ZERO)), (words,), effort)
         return
     for new, words, effort in islice(edits(right), MOST):
         yield Change(left, new, (words,), effort)
     for new, words, effort in islice(edits(left), MOST):
         yield Change(new, right, (words,), effort)
-
-
-def _compares(difference: Node) -> bool:
-    """Whether it is one side less the other."""
-    return isinstance(difference, w.Sum) and any(isinstance(term, w.Negative) for term in difference.terms)
 
 
 def _with_scalars(side: Node, scalars: Iterable[Node]) -> Iterator[SingleEdit]:
