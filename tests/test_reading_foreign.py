@@ -536,6 +536,17 @@ def test_what_stands_beside_equations_and_what_is_left_out_in_them(text: str, ex
         ),
         ([r"R = S \operatorname{Exp}(\phi^\wedge)"], ["'R' = { is = \"matrix\""]),
         ([r"\dot R = R [\phi]_\times", r"\theta^2 = \phi^T \phi"], ["'\\phi' = { is = \"vector\" }"]),
+        (
+            [
+                r"\Theta(\Delta t) = \mathbf{I}_{4\times4} \cos(w \Delta t)",
+                r"r = w + \Delta t",
+            ],
+            ["'\\Theta' = { is = \"matrix\", shape = [4, 4] }", "'\\Delta t' = { is = \"angle\" }"],
+        ),
+        (
+            [r"\mathbf{A}(\phi) = \begin{bmatrix} \cos\phi & 1 \\ 0 & 1 \end{bmatrix}", r"r = \phi + 1"],
+            ["'\\mathbf{A}' = { is = \"matrix\", shape = [2, 2] }"],
+        ),
     ],
 )
 def test_kinds_are_proposed_with_which_the_equations_fit_together(page: list[str], expected: list[str]) -> None:

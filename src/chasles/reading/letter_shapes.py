@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from chasles.reading.atoms import Atom, Atoms, Terms, Unread
 from chasles.reading.derivatives import Derivative, derivative
-from chasles.reading.glyphs import Glyph, letter_of, with_arguments
+from chasles.reading.glyphs import Glyph, joined, letter_of, with_arguments
 from chasles.reading.grammar import Chain, formula
-from chasles.reading.page_functions import lists_letters
+from chasles.reading.page_functions import DIFFERENCES, lists_letters
 from chasles.reading.spellings import called
 
 Shape = tuple[int, int]
@@ -102,6 +102,8 @@ class _PieceShapes:
                 continue
             if behind is not None and (name == "d" or (name in self.names and atom.kind in ("LETTER", "COMMAND"))):
                 shape, at = shape if name == "d" else _times(shape, self.value(name, behind)), at + 1
+            elif behind is not None and (difference := self.difference(atom, behind)):
+                shape, at = _times(shape, difference), at + 1
             elif (found := derivative(atom)) and not found.of:
                 shape = shape if found.rate else None
             elif behind is not None and behind.text == "()" and atom.kind != "NUMBER" and _is_argument(behind):
@@ -109,6 +111,12 @@ class _PieceShapes:
             else:
                 shape = _times(shape, self.atom(atom))
         return shape
+
+    def difference(self, sign: Atom, of: Atom) -> Shape | None:
+        r"""The shape of a letter that is written by two, as \Delta t is; None if they are none."""
+        pair = joined((sign, of)) if sign.text in DIFFERENCES else None
+        shape, marks = self.of(letter_of(pair)) if pair else (None, ())
+        return self.marked(shape, marks)
 
     def value(self, name: str, argument: Atom) -> Shape | None:
         """The shape of a function's value."""

@@ -203,7 +203,7 @@ class _KindSearch:
         for chain in self.chains[place]:
             sides = [side.rows for side in chain.sides if side is not None]
             shapes = dict.fromkeys(self._shape(row) for rows in sides for row in rows)
-            for count, row in ((len(rows), row) for rows in sides for row in rows):
+            for count, row in ((len(rows), _without_arguments(row)) for rows in sides for row in rows):
                 is_letter = row[-1].kind != "INFIX" and all(each.kind == "NUMBER" for each in row[:-1])
                 stem = self.known_by(letter_of(row[-1]))[0] if is_letter else None
                 wanted = [each for each in shapes if each and (count == 1 or each[0] != 1 == each[1])]
@@ -218,6 +218,11 @@ class _KindSearch:
             return shape_of_chain(Chain((Terms(("",), (row,)),), ()), self.shape_of, self.names)[0]
         except Misshapen:
             return None
+
+
+def _without_arguments(row: Atoms) -> Atoms:
+    """A row of pieces without what stands in round brackets at its end: R of R(t), and of R (t + 1)."""
+    return row[:-1] if len(row) > 1 and row[-1].text == "()" and row[-2].kind not in ("INFIX", "NUMBER") else row
 
 
 def _known_by(letter: Glyph, uses: Mapping[Glyph, LetterUse], marks: NameMarks) -> tuple[Glyph | None, tuple[str, ...]]:
