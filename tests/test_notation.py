@@ -21,6 +21,7 @@ from chasles.vocabulary import (
     Rate,
     Transpose,
     bracket,
+    column,
     cos,
     cot,
     cross,
@@ -28,6 +29,7 @@ from chasles.vocabulary import (
     dot,
     inverse,
     latex,
+    matrix,
     norm,
     number,
     rate,
@@ -231,3 +233,11 @@ def test_functions_of_letters_may_have_brackets() -> None:
     style, x = Latex(Notation({}, bare_arguments=False)), scalar("x", "x", "an angle")
     assert spell(cos(x) ** 2 * x, style).text == r"\cos^2\left( x \right) x"
     assert spell(arctan(x), style).text == r"\arctan\left( x \right)"
+
+
+def test_a_line_of_a_matrix_may_begin_with_a_bracket() -> None:
+    """Once the report ended with an error of its converter: to LaTeX, too, such a bracket is an option."""
+    a = vector("a", "a", "a vector")
+    for said in (latex(matrix((bracket(a), a), (bracket(a), a))), latex(column(bracket(a), a))):
+        assert not re.search(r"(begin\{bmatrix\}|\\\\)\s*\[", said)
+        assert "<mtable" in convert(latex_for_mathml(column(bracket(a), a)))

@@ -141,7 +141,8 @@ class Latex:
         return Piece(text, Precedence.PRODUCT, of.depth)
 
     def block(self, rows: list[list[str]]) -> str:
-        lines = r" \\ ".join(" & ".join(row) for row in rows)
+        # A bracket that begins a line would be read as an option.
+        lines = r" \\ ".join("{}" * row[0].startswith("[") + " & ".join(row) for row in rows)
         return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"
 
 
