@@ -71,8 +71,8 @@ class _ForMathML(Latex):
         return Piece(rf"\left\| {text} \right\|", inner.level, inner.depth)
 
     def block(self, rows: list[list[str]]) -> str:
-        lines = r" \\ ".join(" & ".join(row) for row in rows)
-        return rf"\left[ \begin{{matrix}} {lines} \end{{matrix}} \right]"
+        made = super().block(rows)
+        return made.replace(r"\begin{bmatrix}", OPENED, 1).removesuffix(r"\end{bmatrix}") + CLOSED
 
 
 def _is_bare_call(factor: str) -> bool:
