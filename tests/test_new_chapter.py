@@ -292,3 +292,24 @@ def test_a_kernel_that_is_refused_is_told_and_the_others_are_compared(mine: Path
     assert "1 kernel (numpy) compared" in done.stdout
     assert done.stderr.startswith("chasles: not compared: point_from_image: n is free")
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        (
+            "return draw.written(n=draw.unit(), z=draw.vector())",
+            "returns data named n, z, and must return draw.written",
+        ),
+        (
+            "return 5",
+            "`instance` of exercise 1 returns 5, and must return draw.written(...) of what the exercise takes",
+        ),
+    ],
+)
+def test_an_instance_that_draws_other_data_is_told(mine: Path, wrong: str, said: str) -> None:
+    """Once called a defect of chasles."""
+    module = mine / "exercises" / "x1.py"
+    right = "return draw.written(n=draw.unit(), p=draw.vector())"
+    module.write_text(module.read_text("utf-8").replace(right, wrong), "utf-8")
+    assert said in run("--chapter", "./mine", "practice", "1", cwd=mine.parent, status=2)

@@ -79,7 +79,13 @@ def new_data(exercise: Exercise, seed: int) -> dict[str, Any]:
     """New data for an exercise, as a data file has them. Raises DataError for an exercise without numbers."""
     if exercise.instance is None:
         raise DataError(f"exercise {exercise.number} has no data to practise with: it has no `instance`")
-    drawn: dict[str, Any] = exercise.instance(Draw(f"{exercise.number} {seed}"))
+    drawn: Any = exercise.instance(Draw(f"{exercise.number} {seed}"))
+    if not isinstance(drawn, dict) or not drawn.keys() <= {*exercise.keys}:
+        got = f"data named {', '.join(map(str, drawn))}" if isinstance(drawn, dict) else f"{drawn!r}"
+        raise DataError(
+            f"`instance` of exercise {exercise.number} returns {got}, and must return draw.written(...) "
+            f"of what the exercise takes: {', '.join(exercise.keys)}"
+        )
     return drawn
 
 
