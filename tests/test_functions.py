@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from importlib import import_module
 from typing import Any
 
 import mpmath
@@ -397,3 +398,13 @@ def test_what_is_said_of_an_angle_between_bounds_is_decided(said: Claim, true: b
     verdict = Session().decide(said).verdict
     assert isinstance(verdict, Holds | HoldsUnder if true else Fails)
     assert not true or {*verdict.needs} >= {h.text for h in said.assuming}
+
+
+def test_a_star_does_not_hide_the_shapes_of_exercises() -> None:
+    """Once `from chasles.vocabulary.functions import *` made `Scalar()` an error of types."""
+    shapes, words = (
+        vars(import_module("chasles.statements.exercise")),
+        vars(import_module("chasles.vocabulary.functions")),
+    )
+    public = {name for name in shapes.keys() & words.keys() if not name.startswith("_")}
+    assert {name for name in public if shapes[name] is not words[name]} == set()

@@ -20,7 +20,7 @@ from chasles.vocabulary.nodes import Node, Sum, lifted
 from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand
 
-Scalar = Node | int | Fraction
+_Scalar = Node | int | Fraction
 PRINTED = {
     "sqrt": r"\sqrt{#}",
     "abs": "|#|",
@@ -134,12 +134,12 @@ class HalfPower(Shorthand):
         return Piece(style.power(base.text, style.called(f"({exponent})", exponent)), Precedence.POWER, base.depth)
 
 
-def _function(name: str, *arguments: Scalar) -> FunctionOf:
+def _function(name: str, *arguments: _Scalar) -> FunctionOf:
     return FunctionOf(name, tuple(map(lifted, arguments)))
 
 
-def _of_one(name: str, meaning: str) -> Callable[[Scalar], FunctionOf]:
-    def function(of: Scalar) -> FunctionOf:
+def _of_one(name: str, meaning: str) -> Callable[[_Scalar], FunctionOf]:
+    def function(of: _Scalar) -> FunctionOf:
         return _function(name, of)
 
     function.__name__, function.__doc__ = name, meaning
@@ -155,7 +155,7 @@ arctan = _of_one("arctan", "The angle between -pi/2 and pi/2 that has this tange
 
 
 @declaring
-def atan2(sine: Scalar, cosine: Scalar) -> FunctionOf:
+def atan2(sine: _Scalar, cosine: _Scalar) -> FunctionOf:
     """The angle above -pi and at most pi whose sine and cosine have the ratio of the two, and their signs."""
     return _function("atan2", sine, cosine)
 
@@ -170,13 +170,13 @@ sign = _of_one("sign", "1, 0 or -1, as the scalar is positive, zero or negative.
 
 
 @declaring
-def maximum(*of: Scalar) -> FunctionOf:
+def maximum(*of: _Scalar) -> FunctionOf:
     """The largest of several scalars."""
     return _function("max", *of)
 
 
 @declaring
-def minimum(*of: Scalar) -> FunctionOf:
+def minimum(*of: _Scalar) -> FunctionOf:
     """The smallest of several scalars."""
     return _function("min", *of)
 
@@ -203,7 +203,7 @@ DERIVATIVES: dict[str, Callable[..., tuple[Node, ...]]] = {
 
 
 @declaring
-def cases(*rows: tuple[Scalar, Relation], otherwise: Scalar) -> Cases:
+def cases(*rows: tuple[_Scalar, Relation], otherwise: _Scalar) -> Cases:
     """The value of the first row whose comparison holds, else that `otherwise`."""
     values = (*(lifted(value) for value, _ in rows), lifted(otherwise))
     left, right, signs = zip(*((c.left, c.right, c.sign) for _, c in rows), strict=True)
