@@ -55,8 +55,8 @@ def test_a_wrong_power_of_the_scale_is_found(book, kernel, monkeypatch):
     right = scale._Scaling._product
 
     def wrong(self, step):
-        power, held = right(self, step)
-        return (power - 1 if power == 2 else power), held
+        powers, held = right(self, step)
+        return {place: power - (power == 2) for place, power in powers.items()}, held
 
     monkeypatch.setattr(scale._Scaling, "_product", wrong)
     request = book(kernel)
