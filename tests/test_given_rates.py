@@ -8,7 +8,7 @@ import pytest
 
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Definition, positive, symmetric
+from chasles.statements import Claim, Condition, Definition, nonzero, positive, symmetric
 from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import CPM, Identity, column, cos, cross, dot, norm, rate, scalar, sin, square, vector
 from chasles.vocabulary.functions import exp, log, sqrt
@@ -110,3 +110,23 @@ def test_that_something_moving_is_positive_is_given() -> None:
     assert verdict.true, verdict
     check(claim, "printed", verdict.certificate)
     assert Session().decide(Claim("13", rate(d), 2 * mu / h * e * sin(nu), given=given)).verdict.wrong
+
+
+def test_a_law_is_divided_by_what_multiplies_a_rate_and_is_known_not_to_vanish() -> None:
+    """That of three rates follows then, and the speed on a conic, which took more work than is allowed."""
+    far = nonzero(norm(r))
+    law = Condition("14", m * rate(rate(r)), -(mu * m / norm(r) ** 3) * r, on=(r,), assuming=(positive(m), far))
+    sides = dot(r, rate(rate(rate(r)))), 2 * mu * dot(r, rate(r)) / norm(r) ** 3
+    claim = Claim("15", *sides, given=(law,))
+    verdict = Session().decide(claim).verdict
+    assert {*verdict.needs} == {"m > 0", "|r| != 0"}
+    check(claim, "printed", verdict.certificate)
+    assert Session().decide(Claim("15", sides[0], 2 * sides[1], given=(law,))).verdict.wrong
+    nu, v_squared = scalar("nu", "nu", ""), scalar("v_squared", "v^2", "")
+    conic = Definition("16", d, p / (1 + e * cos(nu)), assuming=(positive(d),))
+    areas = Condition("17", d**2 * rate(nu), sqrt(mu * p), on=(nu,), assuming=(positive(d), positive(mu), positive(p)))
+    speed = Definition("18", v_squared, rate(d) ** 2 + d**2 * rate(nu) ** 2)
+    for factor, right in ((2, True), (3, False)):
+        vis_viva = Claim("19", v_squared, mu * (factor / d - (1 - e**2) / p), given=(conic, areas, speed))
+        found = Session().decide(vis_viva).verdict
+        assert found.true is right, found

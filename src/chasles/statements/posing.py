@@ -23,7 +23,19 @@ from chasles.statements.simpler_words import (
 )
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
+from chasles.vocabulary import (
+    Determinant,
+    Inverse,
+    Negative,
+    Node,
+    Rate,
+    Scale,
+    Sum,
+    Symbol,
+    members_of,
+    plain,
+    undotted,
+)
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
@@ -108,6 +120,7 @@ def _given(
     told: list[Goal] = []
     posed = [each.on for each in statement.given if isinstance(each, Condition)]
     defined = [(bare(each.left), accepted(each)[1]) for each in statement.given if isinstance(each, Definition)]
+    apart = {each for hypothesis in hypotheses_of(statement) for each in hypothesis.nonvanishing}
     rates: dict[Node, Node] = {left: right for left, right in defined if isinstance(right, Rate)}
     for given in statement.given:
         left, right = accepted(given)
@@ -115,7 +128,7 @@ def _given(
         if not rates.keys().isdisjoint(on):  # on a velocity, say: it is one on what the velocity is the rate of
             left, right = replace(left, rates), replace(right, rates)
             on = tuple(base for each in on if isinstance(base := undotted(rates.get(each, each))[0], Symbol))
-        rule = bare(left), right
+        rule = _of_rate(bare(left), right, apart)
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
@@ -133,6 +146,13 @@ def _given(
         else:
             told += equations_of(f"({given.number})", left, right)
     return rules, conditions, unknowns, tuple(assumed(told))
+
+
+def _of_rate(left: Node, right: Node, apart: set[Node]) -> Equation:
+    """The equation divided by what a rate is multiplied by, if its factors are among those that do not vanish."""
+    if not isinstance(left, Scale) or not isinstance(left.term, Rate) or not apart.issuperset(factors_of(left.factor)):
+        return left, right
+    return left.term, right / left.factor
 
 
 def _angle_rules(sides: list[Node], conditions: list[Goal], unknowns: dict[Symbol, None]) -> Iterator[Equation]:
