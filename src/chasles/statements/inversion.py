@@ -131,13 +131,9 @@ def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sid
             earlier.append(_vanishing(branch.where))
     if sentence.sign:
         yield EITHER_SIGN, _turned(sentence, right)
-    yield COVER, Problem((_cover(sentence),), hypotheses=sentence.assuming)
-
-
-def _cover(sentence: Inverse) -> Goal:
-    """Where all `where` vanished, zero would be one."""
     terms = tuple(w.Scale(branch.by, branch.where) for branch in sentence.branches)
-    return Goal(COVER, total(terms) if terms else NOTHING, ONE)
+    covered = Goal(COVER, total(terms) if terms else NOTHING, ONE)  # where all `where` vanished, zero would be one
+    yield COVER, Problem((covered,), hypotheses=sentence.assuming)
 
 
 def _circles(values: dict[Node, Node]) -> Iterator[Goal]:

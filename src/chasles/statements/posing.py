@@ -23,22 +23,11 @@ from chasles.statements.simpler_words import (
 )
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import (
-    Determinant,
-    Inverse,
-    Negative,
-    Node,
-    Rate,
-    Scale,
-    Sum,
-    Symbol,
-    members_of,
-    plain,
-    undotted,
-)
+from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
+from chasles.vocabulary.nodes import Scale
 from chasles.vocabulary.totals import Total
 from chasles.vocabulary.tree import replace
 
@@ -115,9 +104,8 @@ def _given(
 ) -> tuple[list[Equation], list[Goal], dict[Symbol, None], tuple[Hypothesis, ...]]:
     """Rules by what is given, conditions, the symbols that these determine, and what is used as it stands."""
     rules: list[Equation] = []
-    conditions: list[Goal] = []
+    conditions, told = list[Goal](), list[Goal]()
     unknowns: dict[Symbol, None] = {}
-    told: list[Goal] = []
     posed = [each.on for each in statement.given if isinstance(each, Condition)]
     defined = [(bare(each.left), accepted(each)[1]) for each in statement.given if isinstance(each, Definition)]
     apart = {each for hypothesis in hypotheses_of(statement) for each in hypothesis.nonvanishing}
@@ -128,7 +116,10 @@ def _given(
         if not rates.keys().isdisjoint(on):  # on a velocity, say: it is one on what the velocity is the rate of
             left, right = replace(left, rates), replace(right, rates)
             on = tuple(base for each in on if isinstance(base := undotted(rates.get(each, each))[0], Symbol))
-        rule = _of_rate(bare(left), right, apart)
+        rule = bare(left), right
+        match rule[0]:
+            case Scale(factor, Rate() as term) if apart.issuperset(factors_of(factor)):
+                rule = term, right / factor
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
@@ -146,13 +137,6 @@ def _given(
         else:
             told += equations_of(f"({given.number})", left, right)
     return rules, conditions, unknowns, tuple(assumed(told))
-
-
-def _of_rate(left: Node, right: Node, apart: set[Node]) -> Equation:
-    """The equation divided by what a rate is multiplied by, if its factors are among those that do not vanish."""
-    if not isinstance(left, Scale) or not isinstance(left.term, Rate) or not apart.issuperset(factors_of(left.factor)):
-        return left, right
-    return left.term, right / left.factor
 
 
 def _angle_rules(sides: list[Node], conditions: list[Goal], unknowns: dict[Symbol, None]) -> Iterator[Equation]:
