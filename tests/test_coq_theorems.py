@@ -14,7 +14,7 @@ from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
 from chasles.coq.folder import chunks
 from chasles.coq.theorems import claims_of
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Theorem, definite, nonzero, positive, unit
+from chasles.statements import Claim, Definition, Theorem, definite, nonzero, positive, unit
 from chasles.statements.forms import Definite, Exists, Form, Iff, Minimum, OnlyWhere, Unique
 from chasles.statements.inequalities import inequality
 
@@ -126,3 +126,11 @@ def test_a_file_that_takes_too_long_is_halved(monkeypatch: pytest.MonkeyPatch) -
     found = [*verdicts_of_coq(chunks(claims))]
     assert [each.claim.name for each in found if not each.accepted] == ["eq_1_1_slow"]
     assert len(found) == len(claims)
+
+
+def test_what_a_proof_uses_and_no_premise_says_is_told() -> None:
+    """That a column and its rate, both given, agree is known to the prover alone."""
+    column = Definition("1", w.vector("s", "s", ""), w.column(y, z, k))
+    moves = Definition("2", w.rate(column.left), w.rate(w.column(z, y, k)))
+    claims = claims_of([Session().decide(Claim("3", w.rate(y), w.rate(z), given=(column, moves)))])
+    assert "no premise says s_dot is the rate of s" in {claim.why_not for claim in claims}

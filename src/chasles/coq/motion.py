@@ -91,7 +91,10 @@ class Instant:
         return self._premise(hypothesis).name
 
     def _premise(self, about: object) -> Premise:
-        return next(each for each in self.said.premises if type(each.about) is type(about) and each.about == about)
+        same = (each for each in self.said.premises if type(each.about) is type(about) and each.about == about)
+        if (found := next(same, None)) is None:
+            raise Unsaid(f"no premise says {about.text if isinstance(about, Hypothesis) else about}")
+        return found
 
     def equation(self, source: StatedEntry) -> str:
         """The term that says an equation."""
