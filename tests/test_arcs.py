@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Abs, Eq, acos, asin, atan, atan2, pi, sign, sqrt
 
 from chasles.prove import Rejected, prove, recheck
-from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 
 x, y, z, u, v = sp.symbols("x y z u v", real=True)
 p, q = sp.symbols("p q", positive=True)
@@ -61,24 +61,31 @@ FALSE_AT_AN_END: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
-@pytest.mark.sampled(3)
-@pytest.mark.parametrize(("one", "other"), TRUE, ids=str)
-def test_angles_of_points_are_equal(one: Any, other: Any) -> None:
+def _proved(one: Any, other: Any) -> Verdict:
+    """The verdict that two sides are equal, which the checker follows."""
     verdict = prove(one, other)
     assert isinstance(verdict, Holds | HoldsUnder)
     recheck(verdict, one, other)
+    return verdict
+
+
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize(("one", "other"), TRUE, ids=str)
+def test_angles_of_points_are_equal(one: Any, other: Any) -> None:
+    _proved(one, other)
 
 
 @pytest.mark.sampled(2)
 @pytest.mark.parametrize(("one", "other"), HALVES, ids=str)
 def test_half_of_an_angle_between_zero_and_half_a_turn(one: Any, other: Any) -> None:
     """Where acos(x) is pi/2 - asin(x), half of it is no half of asin(x)."""
-    verdict = prove(one, other)
-    assert isinstance(verdict, Holds | HoldsUnder)
-    recheck(verdict, one, other)
+    verdict = _proved(one, other)
     with pytest.raises(Rejected):
         recheck(verdict, one, -other)
     assert isinstance(prove(one, -other), Fails)
+
+
+def test_half_of_any_angle_is_none_of_one_between_zero_and_half_a_turn() -> None:
     assert isinstance(prove(sp.cos(atan2(y, x) / 2 - pi / 4), sqrt((1 + y / sqrt(x**2 + y**2)) / 2)), Fails)
 
 

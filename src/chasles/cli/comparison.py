@@ -73,14 +73,11 @@ def compared(
     asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, session: Session
 ) -> Iterator[Evidence]:
     """The evidence on each kernel, precision by precision. Raises Failure where there is nothing to compare."""
-    tasks = list(product(asked, PRECISIONS, strategies))
+    made = [each for each in asked if hasattr(kernels, each[1].name) or not _is_refused(*each, session)]
+    tasks = list(product(made, PRECISIONS, strategies))
     for (entry, kernel), precision, strategy in progress(tasks, len(tasks), "Comparing with 50 digits"):
         name = kernel.name
         function = getattr(kernels, name, None)
-        if function is None and (why := _refused(entry, kernel, session)):
-            if (precision, strategy) == (PRECISIONS[0], strategies[0]):
-                complain((f"not compared: {why}",))
-            continue
         if function is None:
             raise Failure(
                 f"the kernels installed here ({backend_of(kernels)}) lack {name}: "
@@ -98,13 +95,14 @@ def backend_of(kernels: ModuleType) -> str:
     return getattr(kernels, "backend", "numpy")
 
 
-def _refused(entry: Entry, kernel: Kernel, session: Session) -> str:
-    """Why no kernel is made of a declaration; nothing where one is."""
+def _is_refused(entry: Entry, kernel: Kernel, session: Session) -> bool:
+    """Whether no kernel is made of a declaration, which is told with the reason."""
     try:
         lower(entry, session.decide, kernel)
     except LoweringError as why:
-        return str(why)
-    return ""
+        complain((f"not compared: {why}",))
+        return True
+    return False
 
 
 def _specification(entry: Entry, kernel: Kernel, session: Session) -> Specification:

@@ -217,8 +217,8 @@ def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | No
     Nothing is lost by putting it in: the angle is no rate, and neither it nor a rate of it occurs in the value.
     """
     difference, below = sympy.fraction(sympy.together(difference))
-    terms = sympy.expand(difference).as_coefficients_dict() if nonzero_by_sign(below) else {sympy.nan: sympy.S.One}
-    if not all(term in (sympy.pi, sympy.S.One) or is_atom(term) for term in terms):
+    terms = sympy.expand(difference).as_coefficients_dict()
+    if not nonzero_by_sign(below) or not all(term in (sympy.pi, sympy.S.One) or is_atom(term) for term in terms):
         return None
     moved = [term.expr for term in terms if isinstance(term, sympy.Derivative)]
     candidates = sorted((term for term in terms if term in angles and term not in moved), key=str)

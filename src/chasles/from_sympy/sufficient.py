@@ -29,9 +29,10 @@ MONOTONE: Mapping[type, tuple[int, Any, Any]] = {
     sympy.cosh: (1, S.Zero, S.Infinity),
 }  # fmt: skip
 """Whether a function rises or falls, and between which arguments."""
-HYPERBOLIC: Mapping[type, Any] = {sympy.asinh: sympy.sinh, sympy.acosh: sympy.cosh, sympy.atanh: sympy.tanh}
 REAL = (*INVERSES, sympy.exp, sympy.sinh, sympy.cosh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf)
 """Those that are real everywhere between them."""
+HYPERBOLIC: Mapping[type, Any] = {sympy.asinh: sympy.sinh, sympy.acosh: sympy.cosh, sympy.atanh: sympy.tanh}
+"""Inverse hyperbolic functions, and of what they are the inverses."""
 SIGNED = {
     frozenset({1}): "positive", frozenset({0, 1}): "nonnegative",
     frozenset({-1}): "negative", frozenset({-1, 0}): "nonpositive",

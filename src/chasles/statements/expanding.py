@@ -110,13 +110,13 @@ class _Expansion:
         self.small = small
         self.length = length
         self.rules = rules
+        self.varying = {small, *rules}
         self.below = below
         self.has_absolute_values = False
         self.divisors: dict[Node | None, None] = {}
 
     def __call__(self, node: Node) -> PowerSeries:
-        known = {self.small, *self.rules}
-        if not any(p in known or isinstance(p, Shorthand) or getattr(p, "stands_for", None) for p in w.walk(node)):
+        if not any(p in self.varying or getattr(p, "stands_for", isinstance(p, Shorthand)) for p in w.walk(node)):
             return self._constant(node)
         match node:
             case _ if node in self.rules:

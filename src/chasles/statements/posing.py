@@ -125,7 +125,7 @@ def _given(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
             )
         moves = isinstance(rule[0], Rate) and (undotted(rule[0])[0],) == on and posed.count(on) < 2
-        if moves and not {rule[0], Rate(rule[0])} & {*opened_parts(right)}:
+        if moves and not {rule[0], Rate(rule[0])} & {*opened_parts(rule[1])}:
             rules.append(rule)
         elif isinstance(given, Condition):
             conditions += equations_of(f"({given.number})", left, right) if on else ()
